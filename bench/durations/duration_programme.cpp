@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "curve/bezier.hpp"
-#include "trajectory/hodograph_rows.hpp"
+#include "trajectory/hodograph_points.hpp"
 #include "trajectory/limit_planes.hpp"
 
 namespace tern_bench {
@@ -73,7 +73,7 @@ DurationProgramme::DurationProgramme(const tern::Corridor& corridor, const tern:
       add_rows(i, 0, weights, {polyhedron.planes, polyhedron.planes + polyhedron.count}, 1.0);
     }
     for (int order = 1; order <= 2; ++order) {
-      const tern::OrderRows rows = tern::rows_of(order);
+      const tern::OrderPoints rows = tern::points_of(order);
       for (int r = i == 0 ? 0 : 1; r < rows.count; ++r) {
         add_rows(i, order, rows.weights[r], order == 1 ? velocity : acceleration,
                  unit[order - 1] * std::pow(tau_, order));

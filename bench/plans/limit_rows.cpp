@@ -57,7 +57,7 @@ std::vector<LimitRow> Prober::rows(const tern::Corridor& corridor, const tern::L
   return rows;
 }
 
-LimitRow Prober::measure(const tern::QpRow& row) const {
+LimitRow Prober::measure(const tern::QpConstraint& row) const {
   const tern::PointOrigin& origin = stage_->scale.origin[row.point];
   const tern::Halfspace& plane = stage_->problem.planes[row.plane];
   tern::Trajectory one{};
@@ -78,7 +78,7 @@ LimitRow Prober::measure(const tern::QpRow& row) const {
 void Prober::collect(std::vector<LimitRow>& rows) const {
   std::set<std::pair<int, int>> seen;  // segment and plane
   for (int r = 0; r < stage_->solution.active_count; ++r) {
-    const tern::QpRow& row = stage_->solution.active[r];
+    const tern::QpConstraint& row = stage_->solution.active[r];
     const tern::PointOrigin& origin = stage_->scale.origin[row.point];
     if (origin.order == 0 || !seen.insert({origin.segment, row.plane}).second) continue;
     rows.push_back(measure(row));

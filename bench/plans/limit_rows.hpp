@@ -31,7 +31,7 @@ class Prober {
 
  private:
   void collect(std::vector<LimitRow>& rows) const;
-  LimitRow measure(const tern::QpRow& row) const;
+  LimitRow measure(const tern::QpConstraint& row) const;
 
   std::unique_ptr<tern::TrajectoryStage> stage_ = std::make_unique<tern::TrajectoryStage>();
   std::unique_ptr<tern::Trajectory> plan_ = std::make_unique<tern::Trajectory>();

@@ -22,7 +22,6 @@ int main() {
   print("`plan`, `ends`, `stops`, `previous`",
         sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::stops + sizeof Layout::previous);
   print("`asked`, `world`", sizeof Layout::asked + sizeof Layout::world);
-  print("`scans`", sizeof Layout::scans);
   print("`stage.search`", sizeof Layout::stage.search);
   print("`stage.reach`", sizeof Layout::stage.reach);
   print("`stage.shortcut`", sizeof Layout::stage.shortcut);

@@ -15,7 +15,7 @@ using tern::bits_before;
 using tern::bits_from;
 using tern::bits_met;
 using tern::bits_within;
-using tern::GridView;
+using tern::GridAccess;
 using tern::kAllBits;
 using tern_test::OwnedGrid;
 using tern_test::whole_grid;
@@ -44,20 +44,20 @@ TEST(GridBitRows, ARangeThatMissesTheWordHasNoBitsInIt) {
 
 TEST(GridBitRows, RowsLieWhereTheGridSaysTheyDo) {
   OwnedGrid owned(whole_grid({130, 5, 4}, 0.1, 0.2));
-  const tern::BitRows obstacles = GridView::obstacles(owned.grid);
-  const tern::BitRows blocked = GridView::blocked(owned.grid);
+  const tern::BitRows obstacles = GridAccess::obstacles(owned.grid);
+  const tern::BitRows blocked = GridAccess::blocked(owned.grid);
   EXPECT_EQ(obstacles.row_words, 3);
   EXPECT_EQ(obstacles.index(2, 3), 3 * (5 * 3 + 2));
   EXPECT_EQ(obstacles.index(-1, 0), -3);
-  EXPECT_EQ(GridView::layer_words(owned.grid), 60u);
+  EXPECT_EQ(GridAccess::layer_words(owned.grid), 60u);
   EXPECT_EQ(obstacles.row(2, 3), owned.grid.obstacle_row(2, 3));
   EXPECT_EQ(blocked.row(4, 1), owned.grid.blocked_row(4, 1));
 }
 
 TEST(GridBitRows, AnotherBlockedLayerChangesNothingElse) {
   OwnedGrid owned(whole_grid({130, 5, 4}, 0.1, 0.2));
-  std::vector<std::uint64_t> words(GridView::layer_words(owned.grid), 0);
-  const tern::Grid view = GridView::with_blocked(owned.grid, words.data());
+  std::vector<std::uint64_t> words(GridAccess::layer_words(owned.grid), 0);
+  const tern::Grid view = GridAccess::with_blocked(owned.grid, words.data());
   EXPECT_TRUE(view.free({1, 2, 3}));
   EXPECT_FALSE(owned.grid.free({1, 2, 3}));
   EXPECT_EQ(view.obstacle_row(1, 1), owned.grid.obstacle_row(1, 1));

@@ -11,7 +11,7 @@
 #include "guide/block_parts.hpp"
 #include "guide/block_search.hpp"
 #include "guide/bucket_queue.hpp"
-#include "guide/cells_after.hpp"
+#include "search/neighbourhood.hpp"
 #include "support/path_world.hpp"
 
 namespace {

@@ -55,7 +55,7 @@ void expect_as_new(const Grid& grid) {
   ASSERT_EQ(fresh.status, Status::kOk);
   tern_test::copy_obstacles(grid, fresh.grid);
   ASSERT_TRUE(grid.inflated());
-  const std::size_t count = tern::GridView::layer_words(grid);
+  const std::size_t count = tern::GridAccess::layer_words(grid);
   const auto equal = [&](const std::uint64_t* a, const std::uint64_t* b) { return std::equal(a, a + count, b); };
   ASSERT_TRUE(equal(grid.obstacle_row(0, 0), fresh.grid.obstacle_row(0, 0)));
   ASSERT_TRUE(equal(grid.blocked_row(0, 0), fresh.grid.blocked_row(0, 0)));
@@ -249,7 +249,7 @@ TEST(MapSlide, ObstaclesBetweenSlicesAreThoseBeforeOrAfter) {
   tern_test::fill_randomly(random, image, 2.0);
   Pose pose{inside(random, owned), {}};
   tern_test::random_quaternion(random, pose.quaternion);
-  const std::size_t count = tern::GridView::layer_words(owned.map.safe());
+  const std::size_t count = tern::GridAccess::layer_words(owned.map.safe());
   const std::uint64_t* layer = owned.map.safe().obstacle_row(0, 0);
   const std::vector<std::uint64_t> before(layer, layer + count);
   ASSERT_EQ(owned.map.begin_frame(image.view, pose, 0), Status::kRunning);

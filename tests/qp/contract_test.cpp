@@ -112,7 +112,7 @@ TEST(QpContract, WarmStartsEndAtTheSameOptimum) {
     make_programme(random, bench);
     const Status cold = bench.solve();
     const double objective = bench.solution->objective;
-    std::vector<tern::QpRow> rows(bench.solution->active, bench.solution->active + bench.solution->active_count);
+    std::vector<tern::QpConstraint> rows(bench.solution->active, bench.solution->active + bench.solution->active_count);
     for (int extra = random.integer(0, 6); extra > 0; --extra) {
       rows.push_back({random.integer(0, bench.problem->point_count), random.integer(0, bench.problem->plane_count)});
     }

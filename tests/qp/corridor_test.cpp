@@ -91,7 +91,8 @@ TEST_F(QpCorridor, AnswersFromTheUnshiftedRowsAgree) {
     if (!load(line.id)) continue;
     CorridorProgramme(c, false).assemble(*bench.problem);
     bench.solve();
-    const std::vector<tern::QpRow> rows(bench.solution->active, bench.solution->active + bench.solution->active_count);
+    const std::vector<tern::QpConstraint> rows(bench.solution->active,
+                                               bench.solution->active + bench.solution->active_count);
     CorridorProgramme(c, true).assemble(*bench.problem);
     expect_answer(true, bench.solve_from(rows), line.warm_feasible, line.warm_objective);
   }

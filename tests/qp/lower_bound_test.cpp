@@ -67,7 +67,8 @@ TEST(QpLowerBound, HoldsFromWarmStarts) {
     recipe.unknowns = random.integer(2, 14);
     random_programme(random, recipe, bench);
     if (bench.solve() != Status::kOk) continue;
-    const std::vector<tern::QpRow> rows(bench.solution->active, bench.solution->active + bench.solution->active_count);
+    const std::vector<tern::QpConstraint> rows(bench.solution->active,
+                                               bench.solution->active + bench.solution->active_count);
     for (int a = 0; a < tern::kQpAxes; ++a) bench.problem->linear[a][0] += random.real(-1.0, 1.0);
     tern::qp_begin(*bench.solver, *bench.problem, rows.data(), static_cast<int>(rows.size()));
     Status status = Status::kRunning;

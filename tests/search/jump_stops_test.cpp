@@ -10,7 +10,7 @@
 
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
-#include "search/scan.hpp"
+#include "search/straight_jump.hpp"
 #include "support/path_world.hpp"
 
 namespace {
@@ -26,7 +26,7 @@ using tern_test::VoxelWorld;
 int slow_scan(const tern::Grid& grid, const Voxel& goal, Voxel at, int move, int along) {
   for (;;) {
     at = at + tern::offset(move);
-    if (!grid.free(at)) return tern::scan::kNowhere;
+    if (!grid.free(at)) return tern::straight_jump::kNowhere;
     const tern::CellMask free = tern::free_cells(grid, at);
     const bool forced = tern::forced_moves(move, free, tern::legal_moves(free)) != 0;
     if (forced || tern::same(at, goal)) return tern::axis(at, along);
@@ -40,9 +40,9 @@ struct Scans {
     step[kAxis] = kUp ? 1 : -1;
     const int move = tern::direction(step[0], step[1], step[2]);
     const int expected = slow_scan(grid, goal, from, move, kAxis);
-    const int found = tern::scan_straight<kAxis, kUp>(stops[kAxis], grid, goal, from);
+    const int found = tern::jump_straight<kAxis, kUp>(stops[kAxis], grid, goal, from);
     ASSERT_EQ(found, expected) << from.x << ' ' << from.y << ' ' << from.z << " along " << kAxis << (kUp ? '+' : '-');
-    ++(expected == tern::scan::kNowhere ? nothing : something);
+    ++(expected == tern::straight_jump::kNowhere ? nothing : something);
   }
   void expect_all_equal(const tern::Grid& grid, const Voxel& goal, const Voxel& from) {
     expect_equal<0, true>(grid, goal, from);

@@ -26,7 +26,7 @@ inline double dense_dot(const Column& a, const Column& b) {
 
 /// a'x <= b, with |normal| to measure violations by (1 for a zero normal).
 struct DenseRow {
-  tern::QpRow name;
+  tern::QpConstraint name;
   Column a;
   double b;
   double length;
@@ -38,7 +38,7 @@ struct DenseQp {
   Column linear;
   std::vector<DenseRow> rows;
 
-  const DenseRow* find(const tern::QpRow& name) const {
+  const DenseRow* find(const tern::QpConstraint& name) const {
     for (const DenseRow& row : rows) {
       if (row.name.point == name.point && row.name.plane == name.plane) return &row;
     }
@@ -261,7 +261,7 @@ struct QpBench {
     return run();
   }
 
-  tern::Status solve_from(const std::vector<tern::QpRow>& rows) {
+  tern::Status solve_from(const std::vector<tern::QpConstraint>& rows) {
     tern::qp_begin(*solver, *problem, rows.data(), static_cast<int>(rows.size()));
     return run();
   }

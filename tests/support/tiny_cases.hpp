@@ -34,7 +34,7 @@ inline tern::Status solve_tight_programme(Random& random, QpBench& bench) {
   recipe.planes = 10;
   recipe.room = 0.02;
   random_programme(random, recipe, bench);
-  std::vector<tern::QpRow> rows;
+  std::vector<tern::QpConstraint> rows;
   for (int j = 0; j < tern::kMaxActive; ++j) {
     const int point = random.integer(0, bench.problem->point_count - 1);
     rows.push_back({point, random.integer(0, bench.problem->plane_count - 1)});

@@ -11,7 +11,7 @@
 #include "support/box_corridor.hpp"
 #include "support/chain.hpp"
 #include "tern/trajectory.hpp"
-#include "trajectory/hodograph_rows.hpp"
+#include "trajectory/hodograph_points.hpp"
 
 namespace {
 
@@ -195,7 +195,7 @@ TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurations) {
   for (int i = 0; i < other->plane_count; ++i) EXPECT_EQ(other->planes[i].normal.x, c->problem.planes[i].normal.x);
 }
 
-TEST(HodographRows, BoundTheWholeCurve) {
+TEST(HodographPoints, BoundTheWholeCurve) {
   tern_test::Random random(7);
   constexpr Bounds unit{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, 0.0};
   for (int n = 0; n < tern_test::scaled(200); ++n) {
@@ -203,7 +203,7 @@ TEST(HodographRows, BoundTheWholeCurve) {
     segment.duration = 1.0;
     for (Vec3& point : segment.points) point.x = random.real(-1.0, 1.0);
     double velocity = 0.0;
-    for (const auto& row : kHodographRows.velocity) {
+    for (const auto& row : kHodographPoints.velocity) {
       double sum = 0.0;
       for (int k = 0; k < kControlPoints; ++k) sum += row[k] * segment.points[k].x;
       velocity = std::fmax(velocity, std::fabs(sum));

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The prices of time against differences of solved programmes.
-#include "trajectory/time_prices.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "qp/solver.hpp"
 #include "support/box_corridor.hpp"
 #include "support/chain.hpp"
+#include "trajectory/programme.hpp"
 
 namespace {
 

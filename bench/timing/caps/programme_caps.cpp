@@ -73,8 +73,8 @@ void fill_rows(Random& random, tern::QpProblem& problem) {
 
 /// Rows at random, as many as a warm start may name: each is put in, and most are taken out again.
 void begin(Random& random, const tern::QpProblem& problem, tern::QpSolver& solver) {
-  static tern::QpRow warm[tern::kMaxActive];
-  for (tern::QpRow& row : warm) {
+  static tern::QpConstraint warm[tern::kMaxActive];
+  for (tern::QpConstraint& row : warm) {
     const tern::QpGroup& group = problem.groups[random.integer(0, kGroups - 1)];
     row.point = random.integer(group.point_begin, group.point_end - 1);
     row.plane = random.integer(group.plane_begin, group.plane_end - 1);

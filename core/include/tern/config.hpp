@@ -38,7 +38,7 @@
 #define TERN_MAX_CELLS TERN_DEFAULT(32 * 1024, 96 * 1024, 2 * 1024 * 1024, 64 * 1024 * 1024)
 #endif
 
-/// Voxels along one axis, 2048 at most. It bounds how far the search scans in one go, and it keeps the cost of any path
+/// Voxels along one axis, 2048 at most. It bounds how far the search jumps in one go, and it keeps the cost of any path
 /// inside 64-bit fixed point. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_DIMENSION
 #define TERN_MAX_DIMENSION TERN_DEFAULT(64, 128, 512, 2048)

@@ -167,7 +167,7 @@ class Grid {
   Box local_boundary() const noexcept { return local_boundary_; }
 
  private:
-  friend struct GridView;  // reads what else the core needs
+  friend struct GridAccess;  // reads what else the core needs
   friend class GridWords;  // writes for the rolling map
 
   /// Words of the storage's header that are in use.

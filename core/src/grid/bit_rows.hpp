@@ -100,7 +100,7 @@ struct BitRows {
 };
 
 /// The core's access to parts of a grid that users cannot read.
-struct GridView {
+struct GridAccess {
   /// The two layers. Bits past dims.x are 0 in the obstacle layer and 1 in the blocked one.
   static BitRows obstacles(const Grid& grid) noexcept { return rows_of(grid, grid.obstacles_); }
   static BitRows blocked(const Grid& grid) noexcept { return rows_of(grid, grid.blocked_); }

@@ -60,27 +60,27 @@ IndexRange voxels_near(const GridSpec& spec, double from, double to, double radi
   return {begin, end};
 }
 
-/// A block of rows that are ANDed: `deep` planes of `wide` rows each, both 1 or 2. Blocks of more than one row close
+/// A bundle of rows that are ANDed: `deep` planes of `wide` rows each, both 1 or 2. Bundles of more than one row close
 /// the gap of width zero between neighbours, which only a radius of zero could pass.
-struct Block {
+struct Bundle {
   std::int32_t wide;
   std::int32_t deep;
 };
 
-/// Word k of the AND of all rows of the block at (y, z): voxels along x at which every row has an obstacle.
-std::uint64_t block_word(const Grid& grid, const Block& block, std::int32_t y, std::int32_t z, std::int32_t k) {
+/// Word k of the AND of all rows of the bundle at (y, z): voxels along x at which every row has an obstacle.
+std::uint64_t bundle_word(const Grid& grid, const Bundle& bundle, std::int32_t y, std::int32_t z, std::int32_t k) {
   std::uint64_t word = ~std::uint64_t{0};
-  for (std::int32_t j = 0; j < block.deep; ++j) {
-    for (std::int32_t i = 0; i < block.wide; ++i) word &= grid.obstacle_row(y + i, z + j)[k];
+  for (std::int32_t j = 0; j < bundle.deep; ++j) {
+    for (std::int32_t i = 0; i < bundle.wide; ++i) word &= grid.obstacle_row(y + i, z + j)[k];
   }
   return word;
 }
 
 /// One past the last voxel of the run that begins at x, no further than `end`.
-std::int32_t run_end(const Grid& grid, const Block& block, std::int32_t y, std::int32_t z, std::int32_t x,
+std::int32_t run_end(const Grid& grid, const Bundle& bundle, std::int32_t y, std::int32_t z, std::int32_t x,
                      std::int32_t end) {
   while (x < end) {
-    const std::uint64_t gaps = ~block_word(grid, block, y, z, x >> 6) >> (x & 63);
+    const std::uint64_t gaps = ~bundle_word(grid, bundle, y, z, x >> 6) >> (x & 63);
     if (gaps != 0) {
       x += __builtin_ctzll(gaps);
       return x < end ? x : end;
@@ -90,33 +90,33 @@ std::int32_t run_end(const Grid& grid, const Block& block, std::int32_t y, std::
   return end;
 }
 
-bool row_clear(const Grid& grid, const Probe& probe, const Block& block, const IndexRange& range, std::int32_t y,
+bool row_clear(const Grid& grid, const Probe& probe, const Bundle& bundle, const IndexRange& range, std::int32_t y,
                std::int32_t z) {
   const double cell = grid.spec().cell;
   for (std::int32_t x = range.begin; x < range.end;) {
-    const std::uint64_t rest = block_word(grid, block, y, z, x >> 6) >> (x & 63);
+    const std::uint64_t rest = bundle_word(grid, bundle, y, z, x >> 6) >> (x & 63);
     if (rest == 0) {
       x = (x | 63) + 1;
       continue;
     }
     x += __builtin_ctzll(rest);
     if (x >= range.end) break;
-    const std::int32_t stop = run_end(grid, block, y, z, x, range.end);
-    const Box box{{x * cell, y * cell, z * cell}, {stop * cell, (y + block.wide) * cell, (z + block.deep) * cell}};
+    const std::int32_t stop = run_end(grid, bundle, y, z, x, range.end);
+    const Box box{{x * cell, y * cell, z * cell}, {stop * cell, (y + bundle.wide) * cell, (z + bundle.deep) * cell}};
     if (!keeps_clear(probe, box)) return false;
     x = stop;
   }
   return true;
 }
 
-bool blocks_clear(const Grid& grid, const Probe& probe, const Block& block, double radius) {
+bool bundles_clear(const Grid& grid, const Probe& probe, const Bundle& bundle, double radius) {
   const GridSpec& spec = grid.spec();
   const IndexRange x = voxels_near(spec, probe.a.x, probe.b.x, radius, 0);
   const IndexRange y = voxels_near(spec, probe.a.y, probe.b.y, radius, 1);
   const IndexRange z = voxels_near(spec, probe.a.z, probe.b.z, radius, 2);
-  for (std::int32_t k = z.begin; k + block.deep <= z.end; ++k) {
-    for (std::int32_t j = y.begin; j + block.wide <= y.end; ++j) {
-      if (!row_clear(grid, probe, block, x, j, k)) return false;
+  for (std::int32_t k = z.begin; k + bundle.deep <= z.end; ++k) {
+    for (std::int32_t j = y.begin; j + bundle.wide <= y.end; ++j) {
+      if (!row_clear(grid, probe, bundle, x, j, k)) return false;
     }
   }
   return true;
@@ -128,13 +128,13 @@ bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius
   const double tolerance = contact_tolerance(grid.spec());
   if (!(radius >= 0.0) || !in_boundary(grid, a, tolerance) || !in_boundary(grid, b, tolerance)) return false;
   const Probe probe = make_probe(grid.spec(), a, b, radius, tolerance);
-  if (!blocks_clear(grid, probe, {1, 1}, radius)) return false;
+  if (!bundles_clear(grid, probe, {1, 1}, radius)) return false;
   if (radius > tolerance) return true;
-  return blocks_clear(grid, probe, {2, 1}, radius) && blocks_clear(grid, probe, {1, 2}, radius) &&
-         blocks_clear(grid, probe, {2, 2}, radius);
+  return bundles_clear(grid, probe, {2, 1}, radius) && bundles_clear(grid, probe, {1, 2}, radius) &&
+         bundles_clear(grid, probe, {2, 2}, radius);
 }
 
-/// Without a radius, rows are read four times over: alone, and in blocks of two and four.
+/// Without a radius, rows are read four times over: alone, and in bundles of two and four.
 Operations clear_operations(const GridSpec& spec, const Vec3& way, double radius) noexcept {
   // A line may lead far out of the grid; only rows of the grid are read.
   const auto crossed = [&](double along, std::int32_t count) {

@@ -43,7 +43,7 @@ struct Rows {
 };
 
 Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, std::int32_t z) {
-  const BitRows rows = GridView::obstacles(grid);
+  const BitRows rows = GridAccess::obstacles(grid);
   return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
@@ -226,7 +226,7 @@ bool read_layer(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work
   const VoxelRange& range = scratch.range;
   const Window window = window_of(range);
   const Rows rows = rows_of(grid, range, window, scratch.z);
-  const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
+  const std::ptrdiff_t plane_words = GridAccess::obstacles(grid).index(0, 1);
   work.spend(ops::kPiece + ops::kWord * rows.count * window.words);
   if (scratch.z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) return true;
   LayerRectangle* const below = scratch.rectangles[scratch.below];

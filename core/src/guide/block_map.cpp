@@ -4,7 +4,6 @@
 
 #include "base/capacity.hpp"
 #include "grid/lattice.hpp"
-#include "guide/block_words.hpp"
 
 namespace tern {
 namespace {

@@ -24,7 +24,7 @@ constexpr std::uint64_t rotated(std::uint64_t bits, int left) {
 
 /// The blocked voxels of a block that has this many layers and rows inside the grid.
 inline VoxelMask read_blocked(const Grid& grid, const Voxel& first, int layers, int rows) {
-  const BitRows blocked = GridView::blocked(grid);
+  const BitRows blocked = GridAccess::blocked(grid);
   const std::uint64_t* layer = blocked.row(first.y, first.z) + (first.x >> 6);
   const std::uint64_t wanted = std::uint64_t{15} << (first.x & 63);
   std::uint64_t voxels = 0;  // begins at bit first.x, and wraps around the word's end

@@ -13,13 +13,8 @@
 
 namespace tern {
 
-/// Voxels of a block, bit x + 4 y + 16 z.
+/// Voxels of a block of four, which is a page: a bit each, by its place in the page.
 using VoxelMask = std::uint64_t;
-
-/// A voxel's place in its block.
-constexpr int place_in_block(const Voxel& v) {
-  return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4;
-}
 
 /// Sides of a block in the order -x, +x, -y, +y, -z, +z, and sets of them as bits.
 constexpr int kSides = 6;

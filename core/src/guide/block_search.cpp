@@ -3,11 +3,87 @@
 #include "guide/block_search.hpp"
 
 #include "base/capacity.hpp"
-#include "guide/cells_after.hpp"
-#include "guide/split_blocks.hpp"
+#include "search/node_store.hpp"
+#include "search/neighbourhood.hpp"
 
 namespace tern {
+
 namespace {
+
+Voxel beside(const Voxel& block, int side) {
+  return block + offset(kSideMove[side]);
+}
+
+/// The side opposite to a side: sides 0 and 1, 2 and 3, and 4 and 5 are pairs.
+constexpr int across(int side) {
+  return side ^ 1;
+}
+
+int first_side(SideMask sides) {
+  return __builtin_ctz(sides);
+}
+
+/// The voxels of a block that the guide stands for: all free ones or, of a split block, the part that it entered. A
+/// split block must be closed.
+VoxelMask part_of(BlockMap& map, const Grid& grid, const Voxel& block) {
+  const VoxelMask free = block_voxels(grid, block);
+  if (!block_split(map, grid, block)) return free;
+  return connected(VoxelMask{1} << map.entries[map.index(block)], free);
+}
+
+/// The voxels of a block at which the best path may have entered it. After a move around a corner, it may have come
+/// from any block at the corner that joins the two blocks and is not split.
+VoxelMask entered(BlockMap& map, const Grid& grid, const Voxel& block, int arrival) {
+  const Voxel from = block + offset(opposite(arrival));
+  if (axes_of(arrival) == 1) return voxels_across(part_of(map, grid, from), first_side(sides_of(arrival)));
+  VoxelMask voxels = 0;
+  for (SideMask left = sides_of(arrival); left != 0; left &= left - 1) {
+    const SideMask first = left & (~left + 1);
+    const SideMask second = sides_of(arrival) & ~first;
+    const Voxel corner = beside(from, first_side(first));
+    const bool joined =
+        (map.joined(from) & first) != 0 && (map.joined(corner) & second) != 0 && !block_split(map, grid, corner);
+    if (joined) voxels |= voxels_across(block_voxels(grid, corner), first_side(second));
+  }
+  return voxels;
+}
+
+/// Enters a split block that is about to be closed: by its arrival or, if it has none, in its voxel at `place`. Returns
+/// the sides across which the entered part meets a neighbour.
+SideMask enter_part(BlockMap& map, const Grid& grid, const Voxel& block, int place) {
+  const int arrival = map.at(block).arrival();
+  const VoxelMask free = block_voxels(grid, block);
+  const VoxelMask at = arrival == kHere ? VoxelMask{1} << place : entered(map, grid, block, arrival) & free;
+  // The set cannot be empty: the guide leaves a part only across sides at which the part meets the next block.
+  const int entry = at != 0 ? __builtin_ctzll(at) : place;
+  map.entries[map.index(block)] = static_cast<std::uint8_t>(entry);
+  const VoxelMask part = connected(VoxelMask{1} << entry, free);
+  SideMask sides = 0;
+  for (SideMask left = map.joined(block); left != 0; left &= left - 1) {
+    const int side = first_side(left);
+    const bool meets = (voxels_across(part, side) & block_voxels(grid, beside(block, side))) != 0;
+    sides |= meets ? 1u << side : 0u;
+  }
+  return sides;
+}
+
+/// True if the guide has left out a part that it could have reached, of this closed block or of a closed neighbour.
+/// In that case, the part that it entered in one of the two blocks touches a part of the other that it did not enter.
+bool leaves_out(BlockMap& map, const Grid& grid, const Voxel& block) {
+  const bool split = block_split(map, grid, block);
+  const VoxelMask free = block_voxels(grid, block);
+  const VoxelMask part = part_of(map, grid, block);
+  for (SideMask left = map.joined(block); left != 0; left &= left - 1) {
+    const int side = first_side(left);
+    const Voxel next = beside(block, side);
+    if (!map.at(next).closed() || !(split || block_split(map, grid, next))) continue;
+    const VoxelMask next_part = part_of(map, grid, next);
+    const VoxelMask ahead = voxels_across(part, side) & block_voxels(grid, next) & ~next_part;
+    const VoxelMask behind = voxels_across(next_part, across(side)) & free & ~part;
+    if ((ahead | behind) != 0) return true;
+  }
+  return false;
+}
 
 constexpr int kBucketBits = 8;
 static_assert(kGuideStraight == 1 << kBucketBits, "a bucket a voxel");
@@ -76,7 +152,7 @@ std::uint32_t bucket_of(const BlockSearch& search, const Voxel& block, GuideCost
 CellMask close(BlockSearch& search, const Grid& grid, const Voxel& at, Block& block) {
   BlockMap& map = search.map;
   const bool split = block_split(map, grid, at);
-  const SideMask sides = split ? enter_part(map, grid, at, place_in_block(search.origin)) : kAllSides;
+  const SideMask sides = split ? enter_part(map, grid, at, place_in_page(search.origin)) : kAllSides;
   const BlockMoves from = block_moves(map, grid, at, sides);
   block.link |= from.moves | kBlockClosed;
   if (split || from.split_beside) search.lost = search.lost || leaves_out(map, grid, at);

@@ -1,9 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "guide/block_words.hpp"
-
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
+#include "guide/block_map.hpp"
 
 namespace tern {
 namespace {
@@ -31,7 +30,7 @@ struct WordRows {
   IndexRange z;
 
   WordRows(const Grid& grid, int l, const Voxel& block)
-      : rows(GridView::blocked(grid)),
+      : rows(GridAccess::blocked(grid)),
         dims(grid.spec().dims),
         log(l),
         word(block.x >> (6 - l)),

@@ -3,11 +3,12 @@
 #include "guide/guided_search.hpp"
 
 #include "base/capacity.hpp"
-#include "guide/cells_after.hpp"
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
+#include "search/turn_writer.hpp"
 
 namespace tern {
+
 namespace {
 
 constexpr int kGuidedBucketBits = 6;
@@ -43,7 +44,7 @@ Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, con
   const Voxel step = offset(opposite(arrival));
   const Voxel next = block + step;
   if (arrival == kHere || !block_split(map, grid, block)) return next;
-  const VoxelMask part = connected(VoxelMask{1} << place_in_block(voxel), block_voxels(grid, block));
+  const VoxelMask part = connected(VoxelMask{1} << place_in_page(voxel), block_voxels(grid, block));
   const SideMask sides = sides_touched(part) & map.joined(block);
   if ((sides & sides_of(opposite(arrival))) != 0) return next;
   Voxel best = block;
@@ -105,7 +106,7 @@ std::int32_t page_of(GuidedSearch& search, const Grid& grid, const Voxel& voxel)
 /// is full.
 Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, GuideCost cost, int move) {
   Page& page = search.store.pages[index];
-  const int place = place_in_block(voxel);
+  const int place = place_in_page(voxel);
   const std::uint64_t bit = std::uint64_t{1} << place;
   if ((page.closed & bit) != 0 || ((page.reached & bit) != 0 && page.cost[place] <= cost)) return Status::kRunning;
   page.reached |= bit;
@@ -156,7 +157,7 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
   const int place = static_cast<int>(taken & 63u);
   Page& page = search.store.pages[index];
   if ((page.closed >> place & 1u) != 0) return Status::kRunning;
-  const Voxel at = page_voxel(page, place);
+  const Voxel at = voxel_in_page(page.at, place);
   if (!page.heads) {
     search.awaited = search.guide.map.index(search.guide.map.block_of(at));
     if (!block_closed(search.guide, search.awaited)) {
@@ -229,6 +230,41 @@ Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexce
     if (status == Status::kRunning && guide_stalls(search)) return status;
   }
   return status;
+}
+
+namespace {
+
+/// The stored move of a voxel on the path: the move that reaches it, or, once the moves are reversed, the one that
+/// leaves it.
+std::uint8_t& move_at(GuidedSearch& search, const Voxel& voxel) {
+  return search.store.pages[page_find_or_add(search.store, voxel)].arrival[place_in_page(voxel)];
+}
+
+/// Reverses the moves, which then lead from the start to the goal.
+void reverse_moves(GuidedSearch& search) {
+  Voxel at = search.goal;
+  std::uint8_t departure = kHere;
+  // A path contains each expanded voxel at most once.
+  for (std::uint32_t k = 0; k <= kGuidedExpansions; ++k) {
+    std::uint8_t& move = move_at(search, at);
+    const std::uint8_t arrival = move;
+    move = departure;
+    if (arrival == kHere) return;
+    const Voxel step = offset(arrival);
+    at = {at.x - step.x, at.y - step.y, at.z - step.z};
+    departure = arrival;
+  }
+}
+
+}  // namespace
+
+Status guided_extract(GuidedSearch& search, const Grid& grid, int reserve, Path& path) noexcept {
+  reverse_moves(search);
+  TurnWriter writer(grid, path, reserve, search.start);
+  for (std::uint32_t k = 0; k <= kGuidedExpansions && !same(writer.last, search.goal); ++k) {
+    writer.run(move_at(search, writer.last), 1);
+  }
+  return writer.finish();
 }
 
 }  // namespace tern

@@ -24,13 +24,9 @@ void enter(GuidedSearch& search, const Grid& grid, const Voxel& at, VoxelMask vo
   queue_put(search.open, 0, static_cast<std::uint32_t>(index));
 }
 
-bool has_pages(const Grid& grid, const Voxel& at) {
+bool in_grid(const Grid& grid, const Voxel& at) {
   const Voxel& dims = grid.spec().dims;
   return at.x >= 0 && at.y >= 0 && at.z >= 0 && 4 * at.x < dims.x && 4 * at.y < dims.y && 4 * at.z < dims.z;
-}
-
-Voxel page_at(const Voxel& voxel) {
-  return {voxel.x >> 2, voxel.y >> 2, voxel.z >> 2};
 }
 
 }  // namespace
@@ -38,7 +34,7 @@ Voxel page_at(const Voxel& voxel) {
 void pocket_begin(GuidedSearch& search, const Grid& grid, const Voxel& from) noexcept {
   queue_reset(search.open);
   page_store_reset(search.store);
-  enter(search, grid, page_at(from), VoxelMask{1} << place_in_block(from));
+  enter(search, grid, page_coordinates(from), VoxelMask{1} << place_in_page(from));
 }
 
 Status pocket_take(GuidedSearch& search, const Grid& grid, const Voxel& to) noexcept {
@@ -47,11 +43,11 @@ Status pocket_take(GuidedSearch& search, const Grid& grid, const Voxel& to) noex
   Page& page = search.store.pages[queue_take(search.open)];
   page.heads = false;
   page.reached = connected(page.reached, page.closed);
-  if (same(page.at, page_at(to)) && (page.reached >> place_in_block(to) & 1u) != 0) return Status::kNodesFull;
+  if (same(page.at, page_coordinates(to)) && (page.reached >> place_in_page(to) & 1u) != 0) return Status::kNodesFull;
   for (int side = 0; side < kSides; ++side) {
     const VoxelMask across = voxels_across(page.reached, side);
     const Voxel beside = page.at + offset(kSideMove[side]);
-    if (across != 0 && has_pages(grid, beside)) enter(search, grid, beside, across);
+    if (across != 0 && in_grid(grid, beside)) enter(search, grid, beside, across);
   }
   return Status::kRunning;
 }

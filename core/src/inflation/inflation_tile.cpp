@@ -109,7 +109,7 @@ void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, 
 /// ORs the column's planes into its rows, for a tile with a shift: 64 voxels of each row, from two neighbouring words.
 /// Past the ends of a row there are no obstacles.
 void or_shifted_planes(const Grid& grid, const InflationTile& tile, const IndexRange& rows, Column& column) {
-  const BitRows obstacles = GridView::obstacles(grid);
+  const BitRows obstacles = GridAccess::obstacles(grid);
   const std::int32_t planes = count_planes(column);
   const bool has_low = tile.first >= 0;
   const bool has_high = tile.first + 1 < obstacles.row_words;

@@ -26,7 +26,7 @@ void copy(const std::uint64_t* __restrict from, std::int32_t count, std::uint64_
 PatchMaker::PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* blocked) noexcept
     : grid_(grid),
       stencil_(stencil),
-      rows_(GridView::obstacles(grid)),
+      rows_(GridAccess::obstacles(grid)),
       blocked_(blocked),
       reach_x_(stencil.gap_x() + 1),
       rows_inside_(inside_boundary(grid, 1)),

@@ -32,7 +32,7 @@ void clear(WordMark* marks) {
 }  // namespace
 
 PlaneSteps::PlaneSteps(const Grid& grid, const Stencil& stencil)
-    : obstacles_(GridView::obstacles(grid)),
+    : obstacles_(GridAccess::obstacles(grid)),
       dims_(grid.spec().dims),
       reach_x_(stencil.gap_x() + 1),
       reach_y_(stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0)),

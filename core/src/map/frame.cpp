@@ -13,7 +13,7 @@ namespace tern {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;
-/// The cubes that the first part of a scan's view divides: the first half of a block.
+/// The cubes that the first part of a scan's view divides: the first half of a brick.
 constexpr CubeBits kFirstHalf = 0x0f;
 /// Largest tangent of a ray.
 constexpr double kMaxTangent = 100.0;
@@ -152,16 +152,16 @@ void MapState::make_pyramid_row(std::int64_t index, Work& work) noexcept {
   work.spend(ops::kPiece + (ops::kTurn + ops::kMultiplyAdd) * pyramid.width(level));
 }
 
-VoxelBox MapState::block_at(std::int64_t index) const noexcept {
-  const std::int32_t blocks_y = (spec.dims.y + kBlock - 1) / kBlock;
+VoxelBox MapState::brick_at(std::int64_t index) const noexcept {
+  const std::int32_t bricks_y = (spec.dims.y + kBrick - 1) / kBrick;
   const std::int32_t x = static_cast<std::int32_t>(index % row_words()) * 64;
-  const std::int32_t y = static_cast<std::int32_t>(index / row_words() % blocks_y) * kBlock;
-  const std::int32_t z = static_cast<std::int32_t>(index / row_words() / blocks_y) * kBlock;
-  VoxelBox block{{x, x + 64}, overlap({y, y + kBlock}, {0, spec.dims.y}), overlap({z, z + kBlock}, {0, spec.dims.z})};
-  if (forgets(z / kBlock)) return block;
-  const bool met = meets(block.x, frame.box.x) && meets(block.y, frame.box.y) && meets(block.z, frame.box.z);
-  if (!met) block.x.end = block.x.begin;
-  return block;
+  const std::int32_t y = static_cast<std::int32_t>(index / row_words() % bricks_y) * kBrick;
+  const std::int32_t z = static_cast<std::int32_t>(index / row_words() / bricks_y) * kBrick;
+  VoxelBox brick{{x, x + 64}, overlap({y, y + kBrick}, {0, spec.dims.y}), overlap({z, z + kBrick}, {0, spec.dims.z})};
+  if (forgets(z / kBrick)) return brick;
+  const bool met = meets(brick.x, frame.box.x) && meets(brick.y, frame.box.y) && meets(brick.z, frame.box.z);
+  if (!met) brick.x.end = brick.x.begin;
+  return brick;
 }
 
 void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept {
@@ -185,7 +185,7 @@ void MapState::note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexce
 }
 
 void MapState::prepare_views() noexcept {
-  // The camera and the voxels are in the window, or at most a block outside it.
+  // The camera and the voxels are in the window, or at most a brick outside it.
   const double extent = 2.0 * spec.cell * (spec.dims.x + spec.dims.y + spec.dims.z + 128);
   for (int v = 0; v < frame.view_count; ++v) frame.projectors[v] = Projector(frame.views[v], extent);
 }
@@ -194,31 +194,31 @@ Evidence MapState::evidence_at(std::size_t word, bool forgotten) const noexcept 
   return {forgotten ? 0 : seen[word], low[word], high[word], route.obstacle_row(0, 0)[word]};
 }
 
-void MapState::want_block(const VoxelBox& block) noexcept {
-  const std::int32_t k = block.x.begin / 64;
+void MapState::want_brick(const VoxelBox& brick) noexcept {
+  const std::int32_t k = brick.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
-  const bool forget_first = forgets(block.z.begin / kBlock);
-  frame.wanted = frame.free = BlockWords{};
-  for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
-    for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
+  const bool forget_first = forgets(brick.z.begin / kBrick);
+  frame.wanted = frame.free = BrickWords{};
+  for (std::int32_t z = brick.z.begin; z < brick.z.end; ++z) {
+    for (std::int32_t y = brick.y.begin; y < brick.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      frame.wanted.words[z - block.z.begin][y - block.y.begin] =
+      frame.wanted.words[z - brick.z.begin][y - brick.y.begin] =
           open_to_misses(evidence_at(at, forget_first)) & ~hit[at] & valid;
     }
   }
 }
 
-void MapState::enter_block(const VoxelBox& block, Work& work) noexcept {
-  const std::int32_t k = block.x.begin / 64;
+void MapState::enter_brick(const VoxelBox& brick, Work& work) noexcept {
+  const std::int32_t k = brick.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
-  const bool forget_first = forgets(block.z.begin / kBlock);
+  const bool forget_first = forgets(brick.z.begin / kBrick);
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);
   int entered = 0;
-  for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
-    for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
+  for (std::int32_t z = brick.z.begin; z < brick.z.end; ++z) {
+    for (std::int32_t y = brick.y.begin; y < brick.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      const std::uint64_t miss = frame.free.words[z - block.z.begin][y - block.y.begin] & valid;
+      const std::uint64_t miss = frame.free.words[z - brick.z.begin][y - brick.y.begin] & valid;
       if (miss == 0 && hit[at] == 0 && !forget_first) continue;
       const Evidence now = after(evidence_at(at, forget_first), hit[at], miss, hits, misses);
       if ((now.seen & ~seen[at]) != 0) ++learned;
@@ -231,24 +231,24 @@ void MapState::enter_block(const VoxelBox& block, Work& work) noexcept {
     }
   }
   // Each word is read twice, with its evidence in four layers; one that changes is written in seven.
-  work.spend(ops::kWord * (8 * kBlock * kBlock + 18 * entered));
+  work.spend(ops::kWord * (8 * kBrick * kBrick + 18 * entered));
 }
 
-void MapState::carve_block(std::int64_t index, Work& work) noexcept {
-  const VoxelBox block = block_at(index);
+void MapState::carve_brick(std::int64_t index, Work& work) noexcept {
+  const VoxelBox brick = brick_at(index);
   work.spend(ops::kPiece);
-  if (block.x.begin >= block.x.end) return;
-  if (frame.part == 0) want_block(block);
+  if (brick.x.begin >= brick.x.end) return;
+  if (frame.part == 0) want_brick(brick);
   const int parts = frame.parts_of_view();
   const int view = frame.part / parts;
   const bool begins = frame.part == view * parts;
   const CarvePart part{begins, begins && parts > 1 ? kFirstHalf : kAllCubes};
-  carve(frame.views[view], frame.projectors[view], {block.x.begin, block.y.begin, block.z.begin}, frame.wanted,
+  carve(frame.views[view], frame.projectors[view], {brick.x.begin, brick.y.begin, brick.z.begin}, frame.wanted,
         frame.free, part, frame.left, work);
   frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // usually, no cube is left for a second part
   if (frame.part < frame.view_count * parts) return;
   frame.part = 0;
-  enter_block(block, work);
+  enter_brick(brick, work);
 }
 
 }  // namespace tern

@@ -38,7 +38,7 @@ enum class Task : std::uint8_t {
   kPoints,        ///< points or beams of a scan
   kCloseFaces,    ///< pixels without a point become "no measurement"
   kPyramids,      ///< coarser levels of the views' images
-  kBlocks,        ///< carving and evidence
+  kBricks,        ///< carving and evidence
   kInflateRoute,  ///< planes
   kInflateSafe,
   kSlide,  ///< planes
@@ -56,14 +56,14 @@ struct Frame {
   View views[kFaces];
   Projector projectors[kFaces];  ///< one for each view
   int view_count;
-  VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
-  IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
-  // Progress in the block that is being carved, one view after the other. A view of a scan takes longer, so it has two
+  VoxelBox box;             ///< voxels that may change; the bricks that it meets are carved
+  IndexRange forgotten[2];  ///< layers of bricks whose voxels have aged; two ranges if they wrap around
+  // Progress in the brick that is being carved, one view after the other. A view of a scan takes longer, so it has two
   // parts.
   int part;           ///< the next part, counted over all views; 0 before the first
   CubeBits left;      ///< cubes for the view's second part
-  BlockWords wanted;  ///< voxels that a miss would change
-  BlockWords free;    ///< voxels that the views so far see whole
+  BrickWords wanted;  ///< voxels that a miss would change
+  BrickWords free;    ///< voxels that the views so far see whole
 
   int parts_of_view() const noexcept { return view_count > 1 ? 2 : 1; }
 };
@@ -93,7 +93,7 @@ class MapState {
   std::int64_t time;      ///< time of the last frame
   bool timed;             ///< false before the first frame
   std::uint64_t frames;   ///< number of frames begun, scans included
-  std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of blocks
+  std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of bricks
   std::int32_t forget;    ///< the next layer to forget
   std::int32_t face;      ///< pixels along an edge of a scan's face
   Task task;
@@ -104,7 +104,7 @@ class MapState {
   Grid* copy;  ///< the caller's, for a snapshot
 
   std::int32_t row_words() const noexcept { return (spec.dims.x + 63) / 64; }
-  std::int32_t layers() const noexcept { return (spec.dims.z + kBlock - 1) / kBlock; }
+  std::int32_t layers() const noexcept { return (spec.dims.z + kBrick - 1) / kBrick; }
   std::size_t row(std::int32_t y, std::int32_t z) const noexcept {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(spec.dims.y) + static_cast<std::size_t>(y)) *
            static_cast<std::size_t>(row_words());
@@ -120,8 +120,8 @@ class MapState {
   void do_piece(Work& work) noexcept;
   /// Begins this task, or the first task after it that has any pieces.
   void begin(Task first) noexcept;
-  /// Voxels of a block that the frame may change; an empty range along x if there are none.
-  VoxelBox block_at(std::int64_t index) const noexcept;
+  /// Voxels of a brick that the frame may change; an empty range along x if there are none.
+  VoxelBox brick_at(std::int64_t index) const noexcept;
   bool forgets(std::int32_t layer) const noexcept;
 
   // One function for each task, which does the piece of this index. v is an image row.
@@ -130,10 +130,10 @@ class MapState {
   void close_face_row(std::int32_t index, Work& work) noexcept;
   void read_points(std::int64_t index, Work& work) const noexcept;
   void make_pyramid_row(std::int64_t index, Work& work) noexcept;
-  void carve_block(std::int64_t index, Work& work) noexcept;
-  /// Enters a frame into a block: its hits, and a miss for each voxel that was carved.
-  void enter_block(const VoxelBox& block, Work& work) noexcept;
-  void want_block(const VoxelBox& block) noexcept;
+  void carve_brick(std::int64_t index, Work& work) noexcept;
+  /// Enters a frame into a brick: its hits, and a miss for each voxel that was carved.
+  void enter_brick(const VoxelBox& brick, Work& work) noexcept;
+  void want_brick(const VoxelBox& brick) noexcept;
   Evidence evidence_at(std::size_t word, bool forgotten) const noexcept;
   void slide_plane(std::int32_t index, Work& work) noexcept;
   void copy_plane(std::int32_t z, Work& work) const noexcept;

@@ -20,9 +20,9 @@ std::int64_t pyramid_rows(const Frame& frame) {
   return rows * frame.view_count;
 }
 
-std::size_t blocks(const MapState& state) {
+std::size_t bricks(const MapState& state) {
   return static_cast<std::size_t>(state.row_words()) *
-         static_cast<std::size_t>((state.spec.dims.y + kBlock - 1) / kBlock) * static_cast<std::size_t>(state.layers());
+         static_cast<std::size_t>((state.spec.dims.y + kBrick - 1) / kBrick) * static_cast<std::size_t>(state.layers());
 }
 
 bool touches(const VoxelBox& box) {
@@ -39,8 +39,8 @@ Task task_after(Task task) {
     case Task::kCloseFaces:
       return Task::kPyramids;
     case Task::kPyramids:
-      return Task::kBlocks;
-    case Task::kBlocks:
+      return Task::kBricks;
+    case Task::kBricks:
     case Task::kSlide:
       return Task::kInflateRoute;
     case Task::kInflateRoute:
@@ -53,11 +53,11 @@ Task task_after(Task task) {
   return Task::kIdle;
 }
 
-/// The most operations of the blocks of a frame.
-Operations blocks_operations(const MapState& state, bool around) {
-  const Operations block = ops::kPiece + (around ? kFaces * 2 : 1) * (ops::kPiece + carve_operations(around)) +
-                           ops::kWord * 26 * kBlock * kBlock;
-  return block * static_cast<Operations>(blocks(state));
+/// The most operations of the bricks of a frame.
+Operations bricks_operations(const MapState& state, bool around) {
+  const Operations brick = ops::kPiece + (around ? kFaces * 2 : 1) * (ops::kPiece + carve_operations(around)) +
+                           ops::kWord * 26 * kBrick * kBrick;
+  return brick * static_cast<Operations>(bricks(state));
 }
 
 /// The most operations of a slide or a snapshot, without inflations.
@@ -89,8 +89,8 @@ std::int64_t MapState::pieces() const noexcept {
       return static_cast<std::int64_t>((frame.point_count + 63) / 64);
     case Task::kPyramids:
       return pyramid_rows(frame);
-    case Task::kBlocks:
-      return static_cast<std::int64_t>(blocks(*this));
+    case Task::kBricks:
+      return static_cast<std::int64_t>(bricks(*this));
     case Task::kInflateRoute:
     case Task::kInflateSafe:
       return GridWords::inflation_pieces(spec.dims);
@@ -112,7 +112,7 @@ void MapState::do_piece(Work& work) noexcept {
     case Task::kPoints: return read_points(piece, work);
     case Task::kCloseFaces: return close_face_row(index, work);
     case Task::kPyramids: return make_pyramid_row(index, work);
-    case Task::kBlocks: return carve_block(piece, work);
+    case Task::kBricks: return carve_brick(piece, work);
     case Task::kInflateRoute: return GridWords(route).inflate_piece(index, work);
     case Task::kInflateSafe: return GridWords(safe).inflate_piece(index, work);
     case Task::kSlide: return slide_plane(index, work);
@@ -132,7 +132,7 @@ Progress MapState::advance(Work& work) noexcept {
   while (task != Task::kIdle) {
     if (!work.left()) return Progress::kMore;
     do_piece(work);
-    // A block may take several pieces.
+    // A brick may take several pieces.
     if (frame.part == 0 && ++piece >= pieces()) begin(task_after(task));
   }
   return Progress::kDone;
@@ -159,7 +159,7 @@ uint32_t RollingMap::frame_work(int32_t width, int32_t height) const noexcept {
   if (state_ == nullptr || width < 1 || height < 1) return 0;
   // Together, the coarser levels have at most `height` rows and a few more.
   const Operations image = state_->pixels_operations(width) * (2 * height + 16);
-  return units(image + blocks_operations(*state_, false) + 2 * inflation_operations(state_->route));
+  return units(image + bricks_operations(*state_, false) + 2 * inflation_operations(state_->route));
 }
 
 uint32_t RollingMap::scan_work(size_t count) const noexcept {
@@ -167,7 +167,7 @@ uint32_t RollingMap::scan_work(size_t count) const noexcept {
   const Operations pieces = static_cast<Operations>(count / kPiecePoints + 1);
   const Operations rows = kFaces * (4 * state_->face + 16);
   const Operations faces = rows * (ops::kPiece + (ops::kTurn + ops::kMultiplyAdd) * state_->face);
-  return units(pieces * kPointsOperations + faces + blocks_operations(*state_, true) + slide_operations(*state_) +
+  return units(pieces * kPointsOperations + faces + bricks_operations(*state_, true) + slide_operations(*state_) +
                2 * inflation_operations(state_->route));
 }
 

@@ -90,7 +90,7 @@ void finer_begin(FinerCell& finer, const Vec3& point) noexcept {
 Progress finer_advance(FinerCell& finer, const World& world, Work& work) noexcept {
   for (; finer.halvings <= kFinerHalvings; ++finer.halvings) {
     Grid fine;
-    if (!GridView::halved(world.voxels(), finer.halvings, fine) || !resolves(fine.spec())) return Progress::kDone;
+    if (!GridAccess::halved(world.voxels(), finer.halvings, fine) || !resolves(fine.spec())) return Progress::kDone;
     const Voxel home = fine.voxel_of(finer.point);
     for (; finer.candidate < kJoinCells; ++finer.candidate) {
       if (!work.left()) return Progress::kMore;

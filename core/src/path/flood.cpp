@@ -76,7 +76,7 @@ void spread(Flood& flood, const BitRows& blocked, const std::uint64_t* from, std
 }  // namespace
 
 bool flood_begin(Flood& flood, const Grid& grid) noexcept {
-  flood.words = GridView::layer_words(grid);
+  flood.words = GridAccess::layer_words(grid);
   if (flood.words > static_cast<std::size_t>(kMaxWorldWords)) return false;
   flood.cleared = 0;
   flood.rows = static_cast<std::uint32_t>(grid.spec().dims.y * grid.spec().dims.z);
@@ -95,7 +95,7 @@ bool flood_clear(Flood& flood) noexcept {
 }
 
 void flood_from(Flood& flood, const Grid& grid, const Voxel& voxel) noexcept {
-  const BitRows blocked = GridView::blocked(grid);
+  const BitRows blocked = GridAccess::blocked(grid);
   std::uint64_t& dry = flood.dry[blocked.index(voxel.y, voxel.z) + (voxel.x >> 6)];
   const std::uint64_t bit = std::uint64_t{1} << (voxel.x & 63);
   if ((dry & bit) == 0) return;
@@ -104,7 +104,7 @@ void flood_from(Flood& flood, const Grid& grid, const Voxel& voxel) noexcept {
 }
 
 void flood_row(Flood& flood, const Grid& grid) noexcept {
-  const BitRows blocked = GridView::blocked(grid);
+  const BitRows blocked = GridAccess::blocked(grid);
   const Voxel& dims = grid.spec().dims;
   const std::int32_t row = static_cast<std::int32_t>(dequeue(flood));
   const std::int32_t y = row % dims.y;
@@ -118,7 +118,7 @@ void flood_row(Flood& flood, const Grid& grid) noexcept {
 }
 
 Grid flooded(Flood& flood, const Grid& grid) noexcept {
-  return GridView::with_blocked(grid, flood.dry);
+  return GridAccess::with_blocked(grid, flood.dry);
 }
 
 }  // namespace tern

@@ -59,7 +59,7 @@ RequestFault read_world(const Request& request, const Ends& ends, Problem& probl
   const bool lacks_goal = is_fenced && request.goal_mode == GoalMode::kExact;
   if (lacks_goal) fault.field = Field::kGoalPosition;
   spent += kFenceOperations * request.fence_count +
-           ops::kElement * static_cast<Operations>(GridView::layer_words(*problem.grid));
+           ops::kElement * static_cast<Operations>(GridAccess::layer_words(*problem.grid));
   const Status prepared = world_prepare(world);
   if (prepared == Status::kOk) return fault;
   if (lacks_goal) return {Status::kGoalFenced, Field::kGoalPosition, fault.fence};

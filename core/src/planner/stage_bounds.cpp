@@ -14,7 +14,6 @@
 #include "qp/operations.hpp"
 #include "times/pace.hpp"
 #include "times/times_stage.hpp"
-#include "trajectory/operations.hpp"
 #include "trajectory/trajectory_stage.hpp"
 #include "world/solid_layer.hpp"
 
@@ -44,17 +43,17 @@ StageBound world_bound(const GridSpec& spec) {
   return {std::uint64_t{kMaxSolids + 1} * static_cast<std::uint64_t>(spec.dims.z), plane};
 }
 
-/// An expansion of the optimal search takes longest: each move sweeps, and scans from each step of each sweep. Each
-/// piece may also begin a search, and the last one writes the path.
+/// An expansion of the optimal search takes longest: each move sweeps, and jumps straight from each step of each sweep.
+/// Each piece may also begin a search, and the last one writes the path.
 StageBound search_bound(const GridSpec& spec) {
-  const Operations scan = 2 * ops::kNode;
-  const Operations plane = kSweepSteps * (2 * ops::kNode + 2 * scan);
-  const Operations space = kSweepSteps * (2 * ops::kNode + 3 * plane + 3 * scan);
+  const Operations straight = 2 * ops::kNode;
+  const Operations plane = kSweepSteps * (2 * ops::kNode + 2 * straight);
+  const Operations space = kSweepSteps * (2 * ops::kNode + 3 * plane + 3 * straight);
   const Operations ends = 2 * (2 * kSearchedOperations + ops::kTurn * kMaxJoins * kMaxJoins) + all_rows(spec);
   const Operations path = ops::kNode * (kMaxJumpPoints + Operations{spec.dims.x} * rows_of(spec));
   const Operations cells = Operations{spec.dims.x} * rows_of(spec) / kWordBits + ops::kRow * Operations{kMaxNodes};
   return {std::uint64_t{kSearchBound} + kFinerHalvings * kJoinCells + kMaxDimension,
-          8 * space + 12 * plane + 6 * scan + ends + path + cells};
+          8 * space + 12 * plane + 6 * straight + ends + path + cells};
 }
 
 StageBound reach_bound(const GridSpec& spec) {
@@ -109,7 +108,7 @@ StageBound trajectory_bound() {
   constexpr Operations kRotations = 2 * ops::kElement * kQpMaxRank * Operations{kQpMaxDimension + kQpMaxRank};
   constexpr Operations kPrice =
       3 * kQpMaxBatches * (2 * ops::kPiece + kQpBatch * (qp::kPointOperations + ops::kElement * 3 * kMaxPlanes));
-  constexpr Operations kMeasure = 4 * kBand + 2 * qp::kRowOperations * (kQpMaxRank + 2);
+  constexpr Operations kMeasure = 4 * kBand + 2 * qp::kConstraintOperations * (kQpMaxRank + 2);
   constexpr Operations kIteration = 8 * kBasis + 4 * kTriangle + kRotations + 3 * (kPrice + kMeasure + 3 * kBand);
   constexpr Operations kProgramme = 4 * kBand + 8 * ops::kDot * Operations{kQpMaxPoints} +
                                     (3 * ops::kDot + ops::kPiece) * Operations{kQpMaxPlanes} +

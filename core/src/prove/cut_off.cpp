@@ -103,7 +103,7 @@ bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan
 /// in the span that the cuts leave of the whole block.
 bool block_clear(const Grid& grid, const PlaneCuts& cuts, const RowBlock& block, Work& work) {
   const double cell = grid.spec().cell;
-  const BitRows obstacles = GridView::obstacles(grid);
+  const BitRows obstacles = GridAccess::obstacles(grid);
   const RowSpan span = uncut(cell, cuts, block);
   work.spend(ops::kRow + 4 * ops::kMultiplyAdd * cuts.end[2]);
   if (span.begin >= span.end || !any_obstacle(obstacles, block, span)) return true;
@@ -152,7 +152,7 @@ bool cut_off(const Grid& grid, const Vec3* points, int count, const Hints& hints
   work.spend(5 * ops::kPiece);
   if (xs.begin >= xs.end) return true;
   if ((ys.end - ys.begin) * (zs.end - zs.begin) > kMostRows) return false;
-  const BitRows obstacles = GridView::obstacles(grid);
+  const BitRows obstacles = GridAccess::obstacles(grid);
   PlaneCuts cuts;
   bool is_ready = false;
   for (std::int32_t z = zs.begin; z < zs.end; z += kBlock) {

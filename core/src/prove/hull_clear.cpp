@@ -46,7 +46,7 @@ struct Row {
 
 Row row_of(const Grid& grid, const Pardon& pardon, std::int32_t y, std::int32_t z) {
   const bool applies = pardon.layer != nullptr && contains(pardon.ys, y) && contains(pardon.zs, z);
-  const BitRows rows = GridView::obstacles(grid);
+  const BitRows rows = GridAccess::obstacles(grid);
   return {rows.row(y, z), applies ? pardon.layer + rows.index(y, z) : nullptr, pardon.xs};
 }
 

@@ -1,15 +1,14 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "qp/factor.hpp"
-
 #include "base/math.hpp"
 #include "qp/operations.hpp"
+#include "qp/parts.hpp"
 
 namespace tern::qp {
 namespace {
 
 /// Columns that one pass over a vector handles.
-constexpr int kBlock = 4;
+constexpr int kBatch = 4;
 
 /// Gram-Schmidt needs a second pass if the first left less than this share of the squared length ("twice is enough").
 constexpr double kCancellation = 0.5;
@@ -28,18 +27,18 @@ double* triangle_column(QpSolver& solver, int j) {
   return solver.triangle + packed_column(j);
 }
 
-void project_block(const QpSolver& solver, int j, int begin, const double* v, double* out) {
-  Pair total[kBlock][2] = {};
+void project_batch(const QpSolver& solver, int j, int begin, const double* v, double* out) {
+  Pair total[kBatch][2] = {};
   const double* q = column(solver, j);
   for (int i = begin; i < solver.stride; i += kPad) {
     const Pair low = pair(v + i);
     const Pair high = pair(v + i + kPair);
-    for (int b = 0; b < kBlock; ++b) {
+    for (int b = 0; b < kBatch; ++b) {
       total[b][0] += low * pair(q + b * solver.stride + i);
       total[b][1] += high * pair(q + b * solver.stride + i + kPair);
     }
   }
-  for (int b = 0; b < kBlock; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
+  for (int b = 0; b < kBatch; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
 }
 
 /// Sum of two elements of four columns, each column times its coordinate.
@@ -47,27 +46,27 @@ Pair combine(const Pair* c, const double* q, int stride) {
   return (c[0] * pair(q) + c[1] * pair(q + stride)) + (c[2] * pair(q + 2 * stride) + c[3] * pair(q + 3 * stride));
 }
 
-/// Subtracts kBlocks blocks of columns, each times its coordinate, in one pass over the vector.
-template <int kBlocks>
-void subtract_blocks(const QpSolver& solver, int j, const double* coordinates, double* v) {
-  Pair c[kBlocks * kBlock];
-  for (int b = 0; b < kBlocks * kBlock; ++b) c[b] = both(coordinates[j + b]);
+/// Subtracts kBatches batches of columns, each times its coordinate, in one pass over the vector.
+template <int kBatches>
+void subtract_batches(const QpSolver& solver, int j, const double* coordinates, double* v) {
+  Pair c[kBatches * kBatch];
+  for (int b = 0; b < kBatches * kBatch; ++b) c[b] = both(coordinates[j + b]);
   const double* q = column(solver, j);
   const int stride = solver.stride;
-  const double* const far = q + (kBlocks - 1) * kBlock * stride;
+  const double* const far = q + (kBatches - 1) * kBatch * stride;
   for (int i = 0; i < stride; i += kPad) {
     Pair low = pair(v + i) - combine(c, q + i, stride);
     Pair high = pair(v + i + kPair) - combine(c, q + i + kPair, stride);
-    if (kBlocks == 2) {
-      low -= combine(c + kBlock, far + i, stride);
-      high -= combine(c + kBlock, far + i + kPair, stride);
+    if (kBatches == 2) {
+      low -= combine(c + kBatch, far + i, stride);
+      high -= combine(c + kBatch, far + i + kPair, stride);
     }
     pair(v + i) = low;
     pair(v + i + kPair) = high;
   }
 }
 
-/// Subtracts kColumns < kBlock columns, one after the other, in one pass over the vector.
+/// Subtracts kColumns < kBatch columns, one after the other, in one pass over the vector.
 template <int kColumns>
 void subtract_columns(const QpSolver& solver, int j, const double* coordinates, double* v) {
   const double* q = column(solver, j);
@@ -154,28 +153,28 @@ void rotate_basis(QpSolver& solver, int first, int last) {
 void project(const QpSolver& solver, int begin, const double* v, double* out) {
   const int k = solver.active_count;
   int j = 0;
-  for (; j + kBlock <= k; j += kBlock) project_block(solver, j, begin, v, out);
+  for (; j + kBatch <= k; j += kBatch) project_batch(solver, j, begin, v, out);
   for (; j < k; ++j) out[j] = inner(column(solver, j), v, begin, solver.stride);
 }
 
 void subtract(const QpSolver& solver, const double* coordinates, double* v) {
   const int k = solver.active_count;
   int j = 0;
-  for (; j + 2 * kBlock <= k; j += 2 * kBlock) subtract_blocks<2>(solver, j, coordinates, v);
-  for (; j + kBlock <= k; j += kBlock) subtract_blocks<1>(solver, j, coordinates, v);
+  for (; j + 2 * kBatch <= k; j += 2 * kBatch) subtract_batches<2>(solver, j, coordinates, v);
+  for (; j + kBatch <= k; j += kBatch) subtract_batches<1>(solver, j, coordinates, v);
   if (k - j == 1) subtract_columns<1>(solver, j, coordinates, v);
   if (k - j == 2) subtract_columns<2>(solver, j, coordinates, v);
   if (k - j == 3) subtract_columns<3>(solver, j, coordinates, v);
 }
 
-void split_row(QpSolver& solver, int begin) {
+void split_constraint(QpSolver& solver, int begin) {
   const int k = solver.active_count;
-  for (int i = 0; i < solver.stride; ++i) solver.direction[i] = solver.row[i];
+  for (int i = 0; i < solver.stride; ++i) solver.direction[i] = solver.gradient[i];
   solver.direction_squared = solver.entering_squared;
   solver.spent += 2 * ops::kElement * solver.stride;
   if (k == 0) return;
   solver.spent += 2 * basis_operations(solver);
-  project(solver, begin, solver.row, solver.projection);
+  project(solver, begin, solver.gradient, solver.projection);
   subtract(solver, solver.projection, solver.direction);
   solver.direction_squared = inner(solver.direction, solver.direction, 0, solver.stride);
   if (solver.direction_squared >= kCancellation * solver.entering_squared) return;
@@ -210,7 +209,7 @@ void solve_transposed(const QpSolver& solver, const double* in, double* out) {
   }
 }
 
-void add_row(QpSolver& solver, const QpRow& row, double multiplier) {
+void add_constraint(QpSolver& solver, const QpConstraint& constraint, double multiplier) {
   const int k = solver.active_count;
   const double length = square_root(solver.direction_squared);
   const double inverse = 1.0 / length;
@@ -221,13 +220,13 @@ void add_row(QpSolver& solver, const QpRow& row, double multiplier) {
   for (int j = 0; j < k; ++j) upper[j] = solver.projection[j];
   upper[k] = length;
   solver.inverse_diagonal[k] = inverse;
-  solver.active[k] = row;
+  solver.active[k] = constraint;
   solver.multiplier[k] = multiplier;
-  solver.row_length[k] = square_root(solver.entering_squared);
+  solver.constraint_length[k] = square_root(solver.entering_squared);
   solver.active_count = k + 1;
 }
 
-void drop_row(QpSolver& solver, int j, double* coordinates) {
+void drop_constraint(QpSolver& solver, int j, double* coordinates) {
   const int last = solver.active_count - 1;
   solver.spent += rotation_operations(solver, j);
   for (int c = j; c < last; ++c) shift_triangle_column(solver, j, c);
@@ -236,7 +235,7 @@ void drop_row(QpSolver& solver, int j, double* coordinates) {
   for (int c = j; c < last; ++c) {
     solver.active[c] = solver.active[c + 1];
     solver.multiplier[c] = solver.multiplier[c + 1];
-    solver.row_length[c] = solver.row_length[c + 1];
+    solver.constraint_length[c] = solver.constraint_length[c + 1];
   }
   solver.active_count = last;
 }

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "qp/hessian.hpp"
-
 #include "base/linear.hpp"
+#include "qp/parts.hpp"
 
 namespace tern::qp {
 namespace {
@@ -161,23 +160,23 @@ void unknowns_from(QpSolver& solver, const double* z) {
   }
 }
 
-int transform_row(const QpPoint& point, int plane, QpSolver& solver) {
+int transform_constraint(const QpPoint& point, int plane, QpSolver& solver) {
   const QpUnitPlanes& planes = solver.planes;
   const Vector normal(planes.normal[0][plane], planes.normal[1][plane], planes.normal[2][plane]);
   const int begin = kQpAxes * point.first;
   double window[kQpBand + 1] = {};
   for (int t = 0; t < point.terms; ++t) window[t] = point.coefficient[t];
-  for (int i = 0; i < begin; ++i) solver.row[i] = 0.0;
+  for (int i = 0; i < begin; ++i) solver.gradient[i] = 0.0;
   double squared = 0.0;
   for (int i = point.first; i < solver.unknowns; ++i) {
     const double* column = solver.factor[i];
     const double w = window[0] * column[0];
-    vector_at(solver.row + kQpAxes * i) = w * normal;
+    vector_at(solver.gradient + kQpAxes * i) = w * normal;
     squared += w * w;
     for (int d = 1; d <= kQpBand; ++d) window[d - 1] = window[d] - column[d] * w;
     window[kQpBand] = 0.0;
   }
-  for (int i = solver.dimension; i < solver.stride; ++i) solver.row[i] = 0.0;
+  for (int i = solver.dimension; i < solver.stride; ++i) solver.gradient[i] = 0.0;
   solver.entering_squared = squared;  // the normal is unit
   return begin / kPad * kPad;
 }

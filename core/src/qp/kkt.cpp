@@ -1,10 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "qp/kkt.hpp"
-
 #include "base/linear.hpp"
-#include "qp/hessian.hpp"
 #include "qp/operations.hpp"
+#include "qp/parts.hpp"
 
 namespace tern::qp {
 namespace {
@@ -15,26 +13,26 @@ constexpr double kProofRadius = 1e3;
 /// b'y may be nothing but rounding up to this share of the sum of |y_i b_i|.
 constexpr double kGapRounding = 1e-13;
 
-/// b of a row in x: offset - normal . (constant part of the point).
-double right_side(const QpProblem& problem, const QpRow& row) {
-  const Halfspace& plane = problem.planes[row.plane];
-  return plane.offset - dot(plane.normal, problem.points[row.point].offset);
+/// b of a constraint in x: offset - normal . (constant part of the point).
+double right_side(const QpProblem& problem, const QpConstraint& constraint) {
+  const Halfspace& plane = problem.planes[constraint.plane];
+  return plane.offset - dot(plane.normal, problem.points[constraint.point].offset);
 }
 
 /// out += factor * a, interleaved.
-void add_gradient(const QpProblem& problem, const QpRow& row, double factor, double* out) {
-  const QpPoint& point = problem.points[row.point];
-  const Vector normal = factor * to_vector(problem.planes[row.plane].normal);
+void add_gradient(const QpProblem& problem, const QpConstraint& constraint, double factor, double* out) {
+  const QpPoint& point = problem.points[constraint.point];
+  const Vector normal = factor * to_vector(problem.planes[constraint.plane].normal);
   for (int t = 0; t < point.terms; ++t) {
     vector_at(out + kQpAxes * (point.first + t)) += point.coefficient[t] * normal;
   }
 }
 
-/// solver.row = A'y.
-void gather_rows(const QpProblem& problem, QpSolver& solver, const QpSolution& solution) {
-  for (int i = 0; i < solver.stride; ++i) solver.row[i] = 0.0;
+/// solver.gradient = A'y.
+void gather_constraints(const QpProblem& problem, QpSolver& solver, const QpSolution& solution) {
+  for (int i = 0; i < solver.stride; ++i) solver.gradient[i] = 0.0;
   for (int j = 0; j < solution.active_count; ++j) {
-    add_gradient(problem, solution.active[j], solution.multiplier[j], solver.row);
+    add_gradient(problem, solution.active[j], solution.multiplier[j], solver.gradient);
   }
 }
 
@@ -72,14 +70,14 @@ struct Sums {
   double slope = 0.0;      ///< f'x
 };
 
-/// Replaces A'y in solver.row by -(Hx + f + A'y).
+/// Replaces A'y in solver.gradient by -(Hx + f + A'y).
 Sums measure_stationarity(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   Value curvature = {both(0.0), both(0.0)};
   Value slope = curvature;
   Pair residual = both(0.0);
   Pair term = both(0.0);
   for (int i = 0; i < problem.unknowns; ++i) {
-    double* at = solver.row + kQpAxes * i;
+    double* at = solver.gradient + kQpAxes * i;
     const Value hx = multiply(problem, solver, i);
     const Value f = {{problem.linear[0][i], problem.linear[1][i]}, {problem.linear[2][i], 0.0}};
     const Value ay = value_at(at);
@@ -121,9 +119,9 @@ void copy_unknowns(const QpSolver& solver, QpSolution& solution) {
   }
 }
 
-void append(const QpProblem& problem, const QpRow& row, double unit_multiplier, QpSolution& solution) {
-  solution.active[solution.active_count] = row;
-  solution.multiplier[solution.active_count] = unit_multiplier * inverse_length(problem.planes[row.plane]);
+void append(const QpProblem& problem, const QpConstraint& constraint, double unit_multiplier, QpSolution& solution) {
+  solution.active[solution.active_count] = constraint;
+  solution.multiplier[solution.active_count] = unit_multiplier * inverse_length(problem.planes[constraint.plane]);
   ++solution.active_count;
 }
 
@@ -147,11 +145,11 @@ bool measure_gap(const QpProblem& problem, QpSolution& solution) {
   return gap > kGapRounding * terms;
 }
 
-/// Largest element of A'y (in solver.row), divided by the largest element of any single y_i a_i.
+/// Largest element of A'y (in solver.gradient), divided by the largest element of any single y_i a_i.
 double certificate_residual(const QpProblem& problem, const QpSolver& solver, const QpSolution& solution) {
   double residual = 0.0;
   for (int i = 0; i < solver.dimension; ++i) {
-    residual = larger(solver.row[i] * solver.row[i] / problem.hessian[i / kQpAxes][0], residual);
+    residual = larger(solver.gradient[i] * solver.gradient[i] / problem.hessian[i / kQpAxes][0], residual);
   }
   double term = 0.0;
   for (int j = 0; j < solution.active_count; ++j) {
@@ -173,7 +171,7 @@ void measure(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   copy_unknowns(solver, solution);
   solution.active_count = 0;
   for (int j = 0; j < solver.active_count; ++j) append(problem, solver.active[j], solver.multiplier[j], solution);
-  gather_rows(problem, solver, solution);
+  gather_constraints(problem, solver, solution);
   const Sums sums = measure_stationarity(problem, solver, solution);
   solution.objective = 0.5 * sums.curvature + sums.slope;
   solution.violation = solver.worst;
@@ -198,20 +196,20 @@ bool prove_infeasible(const QpProblem& problem, QpSolver& solver, QpSolution& so
   }
   append(problem, solver.entering, 1.0, solution);
   normalise(solution);
-  gather_rows(problem, solver, solution);
+  gather_constraints(problem, solver, solution);
   solution.farkas_residual = certificate_residual(problem, solver, solution);
   const bool positive = measure_gap(problem, solution);
-  forward(solver, solver.row, solver.row);
-  const double residual = square_root(inner(solver.row, solver.row, 0, solver.stride));
+  forward(solver, solver.gradient, solver.gradient);
+  const double residual = square_root(inner(solver.gradient, solver.gradient, 0, solver.stride));
   const double here =
       larger(inner(solver.z, solver.z, 0, solver.stride), inner(solver.target, solver.target, 0, solver.stride));
   const double needed = solver.entering_violation * solver.entering_violation / solver.entering_squared;
   return positive && solution.farkas_gap > kProofRadius * residual * square_root(larger(here, needed));
 }
 
-void contradict(const QpProblem& problem, const QpRow& row, QpSolution& solution) {
+void contradict(const QpProblem& problem, const QpConstraint& constraint, QpSolution& solution) {
   solution.active_count = 1;
-  solution.active[0] = row;
+  solution.active[0] = constraint;
   solution.multiplier[0] = 1.0;
   solution.farkas_residual = 0.0;
   measure_gap(problem, solution);

@@ -12,8 +12,8 @@ namespace tern::qp {
 
 /// The three coordinates of a point: its terms on each axis.
 constexpr Operations kPointOperations = ops::kMultiplyAdd * kQpAxes * kQpPointTerms;
-/// An active row: its point and its violation, or its part of A'y.
-constexpr Operations kRowOperations = kPointOperations + ops::kDot;
+/// An active constraint: its point and its violation, or its part of A'y.
+constexpr Operations kConstraintOperations = kPointOperations + ops::kDot;
 
 /// A substitution with the band of the Hessian's factor, for all unknowns.
 inline Operations band_operations(const QpSolver& solver) {
@@ -25,20 +25,20 @@ inline Operations basis_operations(const QpSolver& solver) {
   return ops::kPiece + ops::kElement * solver.active_count * solver.stride;
 }
 
-/// A substitution with the triangle of the active rows, half of a square.
+/// A substitution with the triangle of the active constraints, half of a square.
 inline Operations triangle_operations(const QpSolver& solver) {
   return ops::kElement * solver.active_count * (solver.active_count + 1) / 2 + ops::kTurn * solver.active_count;
 }
 
-/// Rotations that take out row j of the active ones. Each mixes two elements of two columns.
+/// Rotations that take out constraint j of the active ones. Each mixes two elements of two columns.
 inline Operations rotation_operations(const QpSolver& solver, int j) {
   const int later = solver.active_count - 1 - j;
   return ops::kPiece + 2 * ops::kElement * later * (solver.stride + solver.active_count);
 }
 
-/// The residuals of an answer: the Hessian's two bands and the gradients, and each active row twice.
+/// The residuals of an answer: the Hessian's two bands and the gradients, and each active constraint twice.
 inline Operations measure_operations(const QpSolver& solver) {
-  return 4 * band_operations(solver) + 2 * kRowOperations * (solver.active_count + 1);
+  return 4 * band_operations(solver) + 2 * kConstraintOperations * (solver.active_count + 1);
 }
 
 /// A price of a batch of points, or of one point, against `planes` half-spaces.

@@ -6,7 +6,7 @@
 #define TERN_QP_POINT_BATCH_HPP
 
 #include "base/math.hpp"
-#include "qp/rows.hpp"
+#include "qp/parts.hpp"
 
 namespace tern::qp {
 
@@ -65,7 +65,7 @@ inline Pair outside(Pair at, const double* low, const double* high) {
 
 /// The largest violations of a group's box.
 template <int kPairs>
-void scan_box(const QpScreen& screen, const PointBatch& batch, Pair* worst) {
+void worst_by_box(const QpScreen& screen, const PointBatch& batch, Pair* worst) {
   for (int i = 0; i < kPairs; ++i) {
     const Pair level = larger_of(outside(batch.x[i], screen.low[0], screen.high[0]),
                                  outside(batch.y[i], screen.low[1], screen.high[1]));
@@ -75,7 +75,7 @@ void scan_box(const QpScreen& screen, const PointBatch& batch, Pair* worst) {
 
 /// Raises `worst` to the violations of planes [begin, end).
 template <int kPairs>
-void scan_planes(const QpUnitPlanes& planes, int begin, int end, const PointBatch& batch, Pair* worst) {
+void worst_by_planes(const QpUnitPlanes& planes, int begin, int end, const PointBatch& batch, Pair* worst) {
   for (int p = begin; p < end; ++p) {
     const Pair normal[kQpAxes] = {both(planes.normal[0][p]), both(planes.normal[1][p]), both(planes.normal[2][p])};
     const Pair upper = both(planes.offset[p]);
@@ -93,10 +93,10 @@ void scan_planes(const QpUnitPlanes& planes, int begin, int end, const PointBatc
 /// Computes the largest violation of each point in the batch by planes [.., plane_end) of a group. True if one is
 /// positive.
 template <int kPairs>
-bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, PointBatch& batch) {
+bool find_worst(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, PointBatch& batch) {
   Pair worst[kPairs];
-  scan_box<kPairs>(screen, batch, worst);
-  scan_planes<kPairs>(planes, screen.oblique, plane_end, batch, worst);
+  worst_by_box<kPairs>(screen, batch, worst);
+  worst_by_planes<kPairs>(planes, screen.oblique, plane_end, batch, worst);
   Pair most = worst[0];
   for (int i = 0; i < kPairs; ++i) {
     pair(batch.worst + kPair * i) = worst[i];
@@ -105,17 +105,18 @@ bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, Poi
   return larger(most[0], most[1]) > 0.0;
 }
 
-/// Calls scan() for `count` points, 1 .. kQpBatch, a number that is known only at run time.
-inline bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, int count, PointBatch& batch) {
+/// Calls find_worst() for `count` points, 1 .. kQpBatch, a number that is known only at run time.
+inline bool find_worst(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, int count,
+                       PointBatch& batch) {
   switch ((count + 1) / kPair) {
     case 1:
-      return scan<1>(planes, screen, plane_end, batch);
+      return find_worst<1>(planes, screen, plane_end, batch);
     case 2:
-      return scan<2>(planes, screen, plane_end, batch);
+      return find_worst<2>(planes, screen, plane_end, batch);
     case 3:
-      return scan<3>(planes, screen, plane_end, batch);
+      return find_worst<3>(planes, screen, plane_end, batch);
     default:
-      return scan<kBatchPairs>(planes, screen, plane_end, batch);
+      return find_worst<kBatchPairs>(planes, screen, plane_end, batch);
   }
 }
 

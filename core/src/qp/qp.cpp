@@ -4,11 +4,8 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
-#include "qp/active_set.hpp"
-#include "qp/factor.hpp"
-#include "qp/hessian.hpp"
-#include "qp/kkt.hpp"
 #include "qp/operations.hpp"
+#include "qp/parts.hpp"
 
 namespace tern {
 namespace {
@@ -29,7 +26,7 @@ void clear_point(QpSolver& solver) {
   for (int i = 0; i < solver.stride; ++i) solver.z[i] = 0.0;
 }
 
-/// Sets target = -L^-1 f, the minimum of the cost without rows.
+/// Sets target = -L^-1 f, the minimum of the cost without constraints.
 void aim(const QpProblem& problem, QpSolver& solver) {
   for (int i = 0; i < problem.unknowns; ++i) {
     for (int a = 0; a < kQpAxes; ++a) solver.target[kQpAxes * i + a] = -problem.linear[a][i];
@@ -37,17 +34,18 @@ void aim(const QpProblem& problem, QpSolver& solver) {
   qp::forward(solver, solver.target, solver.target);
 }
 
-/// Restarts at x = 0 with the rows that are active.
+/// Restarts at x = 0 with the constraints that are active.
 void set_out(QpSolver& solver) {
   solver.stalled = 0;
   solver.gain = 0.0;
   solver.worst = 0.0;
-  solver.phase = QpPhase::kWarmRow;
+  solver.phase = QpPhase::kWarmConstraint;
   clear_point(solver);
-  qp::forget_scans(solver);
+  qp::forget_passes(solver);
 }
 
-/// Starts over after rounding stopped progress: with no active row, and with every entering row found by a scan.
+/// Starts over after rounding stopped progress: with no active constraint, and with every entering constraint found by
+/// a pass.
 void start_over(QpSolver& solver) {
   solver.cautious = true;
   solver.active_count = 0;
@@ -65,25 +63,25 @@ void start(const QpProblem& problem, QpSolver& solver) {
   aim(problem, solver);
 }
 
-/// Computes the optimum of the working set, at x = 0 as solve_working_set() needs it. Its multipliers decide which rows
-/// stay.
+/// Computes the optimum of the working set, at x = 0 as solve_working_set() needs it. Its multipliers decide which
+/// constraints stay.
 void solve_warm(const QpProblem& problem, QpSolver& solver) {
   solver.spent += qp::triangle_operations(solver);
   qp::solve_working_set(problem, solver, solver.target);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
 
-/// The row with the most negative multiplier; -1 if none is negative.
+/// The constraint with the most negative multiplier; -1 if none is negative.
 int most_negative(const QpSolver& solver) {
-  int row = -1;
+  int constraint = -1;
   double least = 0.0;
   for (int j = 0; j < solver.active_count; ++j) {
     if (solver.multiplier[j] < least) {
       least = solver.multiplier[j];
-      row = j;
+      constraint = j;
     }
   }
-  return row;
+  return constraint;
 }
 
 void finish_warm(QpSolver& solver) {
@@ -95,42 +93,43 @@ void finish_warm(QpSolver& solver) {
 
 void drop_negative(QpSolver& solver) {
   solver.spent += qp::triangle_operations(solver);
-  qp::drop_row(solver, most_negative(solver), solver.projection);
+  qp::drop_constraint(solver, most_negative(solver), solver.projection);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
 
-/// Goes on if no row is violated. The point is the answer if its residuals are small enough; otherwise it is refined
-/// and priced again.
+/// Goes on if no constraint is violated. The point is the answer if its residuals are small enough; otherwise it is
+/// refined and priced again.
 void conclude(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   qp::measure(problem, solver, solution);
   if (qp::accurate(solution)) return end(solver, Status::kOk);
   if (solver.refinements == kMaxRefinements) return end(solver, Status::kNumerical);
   ++solver.refinements;
   qp::refine(problem, solver);
-  qp::forget_scans(solver);
+  qp::forget_passes(solver);
 }
 
-void contradict(const QpProblem& problem, QpSolver& solver, const QpRow& row, QpSolution& solution) {
+void contradict(const QpProblem& problem, QpSolver& solver, const QpConstraint& constraint, QpSolution& solution) {
   qp::measure(problem, solver, solution);
-  qp::contradict(problem, row, solution);
+  qp::contradict(problem, constraint, solution);
   end(solver, Status::kInfeasible);
 }
 
 void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   solver.spent += qp::band_operations(solver);
   qp::unknowns_from(solver, solver.z);
-  QpRow row;
-  if (solver.contradictory && qp::find_contradiction(problem, row)) return contradict(problem, solver, row, solution);
+  QpConstraint constraint;
+  if (solver.contradictory && qp::find_contradiction(problem, constraint))
+    return contradict(problem, solver, constraint, solution);
   const qp::Candidate candidate = qp::price(problem, solver);
   if (!candidate.found) return conclude(problem, solver, solution);
-  if (candidate.constant) return contradict(problem, solver, candidate.row, solution);
+  if (candidate.constant) return contradict(problem, solver, candidate.constraint, solution);
   qp::enter(problem, solver, candidate);
   solver.phase = QpPhase::kStep;
 }
 
-/// Does everything between two iterations, which is at most a few scans of the rows.
+/// Does everything between two iterations, which is at most a few passes of the constraints.
 void settle(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
-  if (solver.phase == QpPhase::kWarmRow && solver.warm_next == solver.warm_count) {
+  if (solver.phase == QpPhase::kWarmConstraint && solver.warm_next == solver.warm_count) {
     solve_warm(problem, solver);
     solver.phase = QpPhase::kWarmSigns;
   }
@@ -180,8 +179,8 @@ void advance_step(const QpProblem& problem, QpSolver& solver, QpSolution& soluti
 void iterate(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   ++solver.iterations;
   solver.spent += 2 * ops::kPiece;
-  if (solver.phase == QpPhase::kWarmRow) {
-    qp::add_warm_row(problem, solver, solver.warm[solver.warm_next++]);
+  if (solver.phase == QpPhase::kWarmConstraint) {
+    qp::add_warm_constraint(problem, solver, solver.warm[solver.warm_next++]);
   } else if (solver.phase == QpPhase::kWarmSigns) {
     drop_negative(solver);
   } else {
@@ -191,7 +190,7 @@ void iterate(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
 
 }  // namespace
 
-void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept {
+void qp_begin(QpSolver& solver, const QpProblem& problem, const QpConstraint* warm, int warm_count) noexcept {
   solver.unknowns = problem.unknowns;
   solver.dimension = kQpAxes * problem.unknowns;
   solver.stride = qp::padded(solver.dimension);
@@ -211,9 +210,9 @@ void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution
   const bool entering = solver.phase == QpPhase::kStep;
   give_up(problem, solver, Status::kIterationLimit, solution);
   if (!entering) return;
-  const QpRow row = solver.entering;
-  solution.active[solution.active_count] = row;
-  solution.multiplier[solution.active_count] = solver.entering_multiplier * solver.planes.scale[row.plane];
+  const QpConstraint constraint = solver.entering;
+  solution.active[solution.active_count] = constraint;
+  solution.multiplier[solution.active_count] = solver.entering_multiplier * solver.planes.scale[constraint.plane];
   ++solution.active_count;
 }
 
@@ -249,8 +248,8 @@ Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolu
 
 double qp_lower_bound(const QpSolver& solver) noexcept {
   if (solver.phase != QpPhase::kPrice && solver.phase != QpPhase::kStep) return -kQpNoBound;
-  // z minimises the Lagrangian of the current multipliers. Active rows hold with equality and the entering row is
-  // violated, so the dual objective is at least the cost at z. That cost is a distance from the target.
+  // z minimises the Lagrangian of the current multipliers. Active constraints hold with equality and the entering
+  // constraint is violated, so the dual objective is at least the cost at z. That cost is a distance from the target.
   double distance_squared = 0.0;
   double target_squared = 0.0;
   for (int i = 0; i < solver.dimension; ++i) {

@@ -1,15 +1,15 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A strictly convex quadratic programme whose three blocks of unknowns share one banded Hessian and whose rows keep
-// affine points inside half-spaces. Nothing here knows what the unknowns mean.
+// A strictly convex quadratic programme whose three blocks of unknowns share one banded Hessian and whose constraints
+// keep affine points inside half-spaces. Nothing here knows what the unknowns mean.
 //
 //   minimise    sum over the axes a = 0, 1, 2 of   1/2 x_a' H x_a + f_a' x_a
 //   subject to  normal_p . (offset_k + sum_i coefficient_ki x_(first_k + i)) <= bound_p
 //               for every group g, every point k of g and every plane p of g
 //
-// where x_(i) is the 3-vector of the i-th unknown of every axis. A row is a (point, plane) pair of a group. Rows are
-// never stored: 8 points and 20 planes cost 28 records, not 160.
+// where x_(i) is the 3-vector of the i-th unknown of every axis. A constraint is a (point, plane) pair of a group.
+// Constraints are never stored: 8 points and 20 planes cost 28 records, not 160.
 #ifndef TERN_QP_QP_HPP
 #define TERN_QP_QP_HPP
 
@@ -34,7 +34,7 @@ constexpr int kQpMaxGroups = 4 * kMaxSegments + kMaxVias;
 constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 3 * 22 + 6 * kMaxVias;
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
-/// terms = 0 makes a constant point, whose rows can only be checked.
+/// terms = 0 makes a constant point, whose constraints can only be checked.
 struct QpPoint {
   double coefficient[kQpPointTerms];
   Vec3 offset;
@@ -50,8 +50,8 @@ struct QpGroup {
   std::int32_t plane_end;
 };
 
-/// One row of the programme.
-struct QpRow {
+/// One constraint of the programme.
+struct QpConstraint {
   std::int32_t point;
   std::int32_t plane;
 };
@@ -69,7 +69,8 @@ struct QpProblem {
   QpGroup groups[kQpMaxGroups];
 };
 
-/// A row enters the working set if it is violated by more than this (in the row's unit over |normal|: metres).
+/// A constraint enters the working set if it is violated by more than this (in the constraint's unit over |normal|:
+/// metres).
 constexpr double kQpEntering = 5e-10;
 /// If a solve ends in kOk, the residuals, computed from the problem's own data, do not exceed these.
 constexpr double kQpViolation = 1e-9;
@@ -81,12 +82,13 @@ struct QpSolution {
   double x[kQpAxes][kQpMaxUnknowns];
   double objective;  ///< 1/2 x'Hx + f'x at x
   int active_count;
-  QpRow active[kMaxActive + 1];       ///< working set, in the factor's order; a proof of infeasibility has one row more
-  double multiplier[kMaxActive + 1];  ///< >= 0, of the rows as given (not normalised)
+  QpConstraint
+      active[kMaxActive + 1];  ///< working set, in the factor's order; a proof of infeasibility has one constraint more
+  double multiplier[kMaxActive + 1];  ///< >= 0, of the constraints as given (not normalised)
   double stationarity;                ///< max |Hx + f + A'y| over the largest of |Hx|, |f|, |A'y|, each over sqrt(H_ii)
-  double violation;                   ///< max of 0 and a'x - b over all rows, in the rows' unit over |normal| (metres)
+  double violation;  ///< max of 0 and a'x - b over all constraints, in the constraints' unit over |normal| (metres)
   double complementarity;  ///< max |y_i (a_i'x - b_i)| over the largest of f'H^-1 f, |x'Hx|, |f'x|, |y_i b_i|
-  int iterations;          ///< warm rows tried, rows entered, rows dropped
+  int iterations;          ///< warm constraints tried, constraints entered, constraints dropped
   /// kInfeasible: multipliers y >= 0 of `active` with |A'y| ~ 0 and b'y < 0 (Farkas), scaled to max y = 1.
   double farkas_residual;  ///< max |A'y| over the largest |y_i a_i|, each over sqrt(H_ii)
   double farkas_gap;       ///< -b'y > 0
@@ -95,10 +97,10 @@ struct QpSolution {
 /// Solver state: opaque slice of the workspace. Plain data; needs no initialisation before qp_begin.
 struct QpSolver;
 
-/// Starts a solve. `warm` may name rows to start from; null is a cold start. Any rows are allowed, and unsuitable ones
-/// are dropped. The problem must not change until the solve ends. The caller guarantees valid counts and indices; the
-/// solver checks the numbers.
-void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept;
+/// Starts a solve. `warm` may name constraints to start from; null is a cold start. Any constraints are allowed, and
+/// unsuitable ones are dropped. The problem must not change until the solve ends. The caller guarantees valid counts
+/// and indices; the solver checks the numbers.
+void qp_begin(QpSolver& solver, const QpProblem& problem, const QpConstraint* warm, int warm_count) noexcept;
 
 /// Runs iterations, at most `most`; a piece of work is one of them. Returns kRunning until the end, then kOk,
 /// kInfeasible (proven), kIterationLimit, kWorkingSetFull or kNumerical. Fills `solution` at the end. Unless kOk, its x

@@ -10,9 +10,9 @@ namespace tern {
 
 /// Unknowns of all axes as one vector, element 3 i + a, padded.
 constexpr int kQpMaxDimension = qp::padded(kQpAxes * kQpMaxUnknowns);
-/// Rows that can be active at once: limited by the capacity, and by linear independence.
+/// Constraints that can be active at once: limited by the capacity, and by linear independence.
 constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : kQpAxes * kQpMaxUnknowns;
-/// Points are scanned in batches of this many. A group's last batch may be partly empty.
+/// Points are priced in batches of this many. A group's last batch may be partly empty.
 constexpr int kQpBatch = 8;
 constexpr int kQpMaxBatches = kQpMaxPoints / kQpBatch + kQpMaxGroups;
 
@@ -24,10 +24,10 @@ constexpr int packed_column(int j) {
 
 /// What qp_advance does next.
 enum class QpPhase : std::uint8_t {
-  kWarmRow,    ///< put the next warm row into the factor
-  kWarmSigns,  ///< drop warm rows with negative multipliers
-  kPrice,      ///< find the row to enter
-  kStep,       ///< move along the entering row's direction
+  kWarmConstraint,  ///< put the next warm constraint into the factor
+  kWarmSigns,       ///< drop warm constraints with negative multipliers
+  kPrice,           ///< find the constraint to enter
+  kStep,            ///< move along the entering constraint's direction
   kDone,
 };
 
@@ -41,7 +41,7 @@ struct QpUnitPlanes {
   bool zeros;                      ///< some normal is zero
 };
 
-/// What a scan needs to know about a group.
+/// What a pass needs to know about a group.
 struct QpScreen {
   // The first planes of the group, whose normals are along axes, as one box. Every bound is stored twice, as a pair.
   alignas(16) double low[kQpAxes][2];
@@ -52,20 +52,20 @@ struct QpScreen {
   std::int32_t moving_end;
 };
 
-/// What pricing found in a batch when it last scanned it.
+/// What pricing found in a batch when it last priced it.
 struct QpPrice {
-  double distance;     ///< violation of the batch's most violated row, as a distance in z; 0 if none was violated
-  std::int32_t point;  ///< point of that row
+  double distance;  ///< violation of the batch's most violated constraint, as a distance in z; 0 if none was violated
+  std::int32_t point;  ///< point of that constraint
   std::int32_t group;
-  std::int32_t scan;  ///< number of that scan
+  std::int32_t pass;  ///< number of that pass
 };
 
 /// With H = L L', the solver works on z = L' x, where the cost is a distance: minimise 1/2 |z - target|^2 subject to
-/// rows r = normal (x) (L^-1 beta). `basis` (orthonormal) times `triangle` is the matrix whose columns are the active
-/// rows; everything that has three axes is interleaved, with element 3 i + a.
+/// constraints r = normal (x) (L^-1 beta). `basis` (orthonormal) times `triangle` is the matrix whose columns are the
+/// active constraints; everything that has three axes is interleaved, with element 3 i + a.
 struct QpSolver {
   // The Hessian. factor[i] is column i of L below the diagonal: factor[i][d] = L(i + d, i), with 1 / L(i, i) at d = 0.
-  // The band of H^-1 is inverse[i][d] = H^-1(i, i + d), computed when the first row is priced.
+  // The band of H^-1 is inverse[i][d] = H^-1(i, i + d), computed when the first constraint is priced.
   alignas(16) double factor[kQpMaxUnknowns][kQpBand + 1];
   double inverse[kQpMaxUnknowns][kQpBand + 1];
   alignas(16) double x[kQpMaxUnknowns][4];                 ///< 3-vectors padded to two lanes of two
@@ -73,37 +73,37 @@ struct QpSolver {
   alignas(16) double target[kQpMaxDimension];
   alignas(16) double z[kQpMaxDimension];
 
-  // The rows.
+  // The constraints.
   QpUnitPlanes planes;
   QpScreen screens[kQpMaxGroups];
   double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
   QpPrice prices[kQpMaxBatches];
 
-  // The active rows.
+  // The active constraints.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
   alignas(16) double triangle[packed_column(kQpMaxRank)];  ///< upper triangle by columns, see packed_column()
-  QpRow active[kQpMaxRank];
-  alignas(16) double multiplier[kQpMaxRank];  ///< of the unit rows
-  double row_length[kQpMaxRank];              ///< of the transformed unit rows
+  QpConstraint active[kQpMaxRank];
+  alignas(16) double multiplier[kQpMaxRank];  ///< of the unit constraints
+  double constraint_length[kQpMaxRank];       ///< of the transformed unit constraints
   double inverse_diagonal[kQpMaxRank];        ///< of the triangle
   alignas(16) double ratio[kQpMaxRank];       ///< triangle^-1 * projection: the rate at which multipliers fall
 
-  // The entering row: row = basis * projection + direction.
-  alignas(16) double row[kQpMaxDimension];
+  // The entering constraint: constraint = basis * projection + direction.
+  alignas(16) double gradient[kQpMaxDimension];
   alignas(16) double direction[kQpMaxDimension];
   double projection[kQpMaxRank];
   double cosine[kQpMaxRank];
   double sine[kQpMaxRank];
-  QpRow entering;
+  QpConstraint entering;
   double entering_multiplier;
   double entering_violation;
-  double entering_squared;   ///< |row|^2
+  double entering_squared;   ///< |constraint|^2
   double direction_squared;  ///< |direction|^2
 
-  QpRow warm[kMaxActive];
-  double entered;         ///< violation of the row found last, as a distance in z
-  double worst;           ///< largest violation at x in the last scan
-  double constant_worst;  ///< largest violation of points that depend on no unknown, in the first scan
+  QpConstraint warm[kMaxActive];
+  double entered;         ///< violation of the constraint found last, as a distance in z
+  double worst;           ///< largest violation at x in the last pass
+  double constant_worst;  ///< largest violation of points that depend on no unknown, in the first pass
   double gain;            ///< how far the dual objective has risen
   int unknowns;           ///< per axis
   int dimension;          ///< 3 * unknowns
@@ -112,14 +112,14 @@ struct QpSolver {
   int warm_count;
   int warm_next;
   int iterations;
-  int scans;
-  int batches;       ///< counted by the last scan
+  int passes;
+  int batches;       ///< counted by the last pass
   Operations spent;  ///< since the last iteration
   int stalled;       ///< full steps in a row that raised the dual objective by no more than rounding
   int refinements;
   bool inverse_known;
   bool cautious;       ///< started over after a stall
-  bool scanned;        ///< the last row to enter was found by a scan
+  bool found_by_pass;  ///< the last constraint to enter was found by a pass
   bool contradictory;  ///< a zero normal with a negative offset exists
   bool usable;         ///< the problem is finite, its Hessian positive definite, and the factors are valid
   QpPhase phase;

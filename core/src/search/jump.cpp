@@ -5,7 +5,7 @@
 #include "base/capacity.hpp"
 #include "search/plane_walk.hpp"
 #include "search/prune.hpp"
-#include "search/scan.hpp"
+#include "search/straight_jump.hpp"
 
 namespace tern {
 namespace {
@@ -34,13 +34,13 @@ void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arriva
   if (!room) search.open_full = true;
 }
 
-/// Scans from a voxel that the expansion reaches at cost g.
+/// Jumps straight from a voxel that the expansion reaches at cost g.
 template <int kAxis, bool kUp>
-void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
+void jump_line(const Expansion& from, const Voxel& cursor, Cost g) {
   Search& search = from.search;
   from.work.spend(ops::kNode);
-  const std::int32_t stop = scan_straight<kAxis, kUp>(search.stops[kAxis], from.grid, search.goal, cursor);
-  if (stop == scan::kNowhere) return;
+  const std::int32_t stop = jump_straight<kAxis, kUp>(search.stops[kAxis], from.grid, search.goal, cursor);
+  if (stop == straight_jump::kNowhere) return;
   Voxel found = cursor;
   axis(found, kAxis) = stop;
   const std::int32_t steps = kUp ? stop - axis(cursor, kAxis) : axis(cursor, kAxis) - stop;
@@ -52,9 +52,9 @@ void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
 }
 
 template <int kAxis>
-void scan_axis(const Expansion& from, const Voxel& cursor, Cost g, std::int32_t step) {
-  if (step > 0) return scan_line<kAxis, true>(from, cursor, g);
-  scan_line<kAxis, false>(from, cursor, g);
+void jump_axis(const Expansion& from, const Voxel& cursor, Cost g, std::int32_t step) {
+  if (step > 0) return jump_line<kAxis, true>(from, cursor, g);
+  jump_line<kAxis, false>(from, cursor, g);
 }
 
 /// True if a sweep must end at a voxel and make it a node. g and h are the voxel's cost so far and heuristic. Only the
@@ -73,8 +73,8 @@ int steps_inside(const Grid& grid, const Voxel& at, const Voxel& step) {
   return steps;
 }
 
-/// Sweeps along the plane diagonal `move`; kNormal is the axis at right angles to its plane. From every step, scans
-/// along both parts of the move.
+/// Sweeps along the plane diagonal `move`; kNormal is the axis at right angles to its plane. From every step,
+/// jumps along both parts of the move.
 template <int kNormal>
 void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
   constexpr int kFirst = kNormal == 0 ? 1 : 0;
@@ -89,8 +89,8 @@ void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
     if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (walk.forced() || stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
-    scan_axis<kFirst>(from, cursor, g, axis(step, kFirst));
-    scan_axis<kSecond>(from, cursor, g, axis(step, kSecond));
+    jump_axis<kFirst>(from, cursor, g, axis(step, kFirst));
+    jump_axis<kSecond>(from, cursor, g, axis(step, kSecond));
   }
 }
 
@@ -102,9 +102,9 @@ void follow(const Expansion& from, const Voxel& cursor, Cost g, int move) {
     if (step.y == 0) return sweep_plane<1>(from, cursor, g, move);
     return sweep_plane<2>(from, cursor, g, move);
   }
-  if (step.x != 0) return scan_axis<0>(from, cursor, g, step.x);
-  if (step.y != 0) return scan_axis<1>(from, cursor, g, step.y);
-  scan_axis<2>(from, cursor, g, step.z);
+  if (step.x != 0) return jump_axis<0>(from, cursor, g, step.x);
+  if (step.y != 0) return jump_axis<1>(from, cursor, g, step.y);
+  jump_axis<2>(from, cursor, g, step.z);
 }
 
 /// Sweeps along a space diagonal. From every step, follows the parts of the move along fewer axes. A space diagonal

@@ -26,9 +26,9 @@ struct Expansion {
 void step(const Expansion& expansion, int move) noexcept;
 
 /// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent:
-/// straight moves scan; diagonal moves sweep step by step. From every step, a sweep jumps along each part of the move
-/// along fewer axes. `free` holds the cells around expansion.at. A sweep ends at a jump point, at its limit or at the
-/// goal; that node continues it. Overflows set nodes_full or open_full of the search.
+/// straight moves go to the next jump stop; diagonal moves sweep step by step. From every step, a sweep jumps along
+/// each part of the move along fewer axes. `free` holds the cells around expansion.at. A sweep ends at a jump point, at
+/// its limit or at the goal; that node continues it. Overflows set nodes_full or open_full of the search.
 void jump(const Expansion& expansion, int move, CellMask free) noexcept;
 
 }  // namespace tern

@@ -35,7 +35,7 @@ struct RowWords {
 
 constexpr RowWords kNoRow{kAllBlocked, kAllBlocked, kAllBlocked};
 
-/// Reads word `block` of blocked rows. Finds out only once whether a row has words before and after it.
+/// Reads word `column` of blocked rows. Finds out only once whether a row has words before and after it.
 struct RowReader {
   BitRows rows;
   std::int32_t word;
@@ -43,12 +43,12 @@ struct RowReader {
   bool has_before;
   bool has_after;
 
-  RowReader(const Grid& grid, std::int32_t block)
-      : rows(GridView::blocked(grid)),
-        word(block),
+  RowReader(const Grid& grid, std::int32_t column)
+      : rows(GridAccess::blocked(grid)),
+        word(column),
         dims(grid.spec().dims),
-        has_before(block > 0),
-        has_after(block + 1 < rows.row_words) {}
+        has_before(column > 0),
+        has_after(column + 1 < rows.row_words) {}
 
   RowWords at(std::int32_t y, std::int32_t z) const {
     if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
@@ -97,7 +97,7 @@ Slice slice_at(const RowReader& rows, std::int32_t along, std::int32_t third) {
   return s;
 }
 
-/// Stops at step `at` of scans that come from step `from` and go on to step `to`.
+/// Stops at step `at` of jumps that come from step `from` and go on to step `to`.
 std::uint64_t stops_between(const Slice& from, const Slice& at, const Slice& to) {
   std::uint64_t stop = at.own;
   for (int k = 0; k < 4; ++k) {
@@ -109,9 +109,9 @@ std::uint64_t stops_between(const Slice& from, const Slice& at, const Slice& to)
 
 /// Computes the stops of a tile before it is transposed: for each step, one word for 64 lines.
 template <int kAxis>
-void compute_tile(const Grid& grid, std::int32_t block, std::int32_t third, std::int32_t word,
+void compute_tile(const Grid& grid, std::int32_t column, std::int32_t third, std::int32_t word,
                   std::uint64_t (&up)[kSide], std::uint64_t (&down)[kSide]) {
-  const RowReader rows(grid, block);
+  const RowReader rows(grid, column);
   const std::int32_t first = word * kSide;
   const std::int32_t left = axis(grid.spec().dims, kAxis) - first;
   const std::int32_t steps = left < kSide ? left : kSide;
@@ -146,12 +146,12 @@ void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis_along) no
   const std::int32_t thirds = axis_along == 2 ? dims.y : dims.z;
   layer.words = (axis(dims, axis_along) + kSide - 1) / kSide;
   layer.width = axis_along == 0 ? dims.y : dims.x;
-  layer.blocks = (dims.x + kSide - 1) / kSide;
+  layer.columns = (dims.x + kSide - 1) / kSide;
   if (is_full(std::int64_t{layer.words} * layer.width * thirds > kJumpStopWords)) {
     layer.words = 0;
     return;
   }
-  const std::int32_t bits = layer.words * thirds * (axis_along == 0 ? layer.width : layer.blocks);
+  const std::int32_t bits = layer.words * thirds * (axis_along == 0 ? layer.width : layer.columns);
   for (std::int32_t k = 0; k <= bits / 64; ++k) layer.ready[k] = 0;
   if (axis_along == 0) return;
   for (std::int32_t k = 0; k < bits; ++k) layer.walked[k] = 0;
@@ -179,22 +179,22 @@ void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y,
   mark_ready(layer, index);
 }
 
-void jump_stops_fill_tile(JumpStopLayer& layer, const Grid& grid, int axis_along, std::int32_t block,
+void jump_stops_fill_tile(JumpStopLayer& layer, const Grid& grid, int axis_along, std::int32_t column,
                           std::int32_t third, std::int32_t word) noexcept {
   std::uint64_t up[kSide];
   std::uint64_t down[kSide];
   if (axis_along == 1) {
-    compute_tile<1>(grid, block, third, word, up, down);
+    compute_tile<1>(grid, column, third, word, up, down);
   } else {
-    compute_tile<2>(grid, block, third, word, up, down);
+    compute_tile<2>(grid, column, third, word, up, down);
   }
   transpose(up);
   transpose(down);
-  const std::int32_t left = grid.spec().dims.x - block * kSide;
+  const std::int32_t left = grid.spec().dims.x - column * kSide;
   const std::int32_t lines = left < kSide ? left : kSide;
-  JumpStopWord* out = layer.bits + (third * layer.width + block * kSide) * layer.words + word;
+  JumpStopWord* out = layer.bits + (third * layer.width + column * kSide) * layer.words + word;
   for (std::int32_t k = 0; k < lines; ++k) out[k * layer.words] = {up[k], down[k]};
-  mark_ready(layer, (third * layer.blocks + block) * layer.words + word);
+  mark_ready(layer, (third * layer.columns + column) * layer.words + word);
 }
 
 }  // namespace tern

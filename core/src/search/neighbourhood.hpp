@@ -48,7 +48,7 @@ inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
   const int bit = v.x & 63;
   if (bit == 0 || bit == 63 || v.y == 0 || v.z == 0 || v.y + 1 == dims.y || v.z + 1 == dims.z)
     return free_cells_at_face(grid, v);
-  const BitRows rows = GridView::blocked(grid);
+  const BitRows rows = GridAccess::blocked(grid);
   const std::uint64_t* first = rows.row(v.y - 1, v.z - 1) + (v.x >> 6);
   const std::int64_t row = rows.index(1, 0);
   const std::int64_t slice = rows.index(0, 1);
@@ -59,6 +59,32 @@ inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
     }
   }
   return blocked ^ kAllCells;
+}
+
+/// For each move, the cells around its end that also lie around its beginning. None for kHere.
+struct CommonCells {
+  CellMask after[kDirections];
+};
+constexpr CommonCells make_common_cells() {
+  CommonCells common{};
+  for (int move = 0; move < kDirections; ++move) {
+    for (int cell = 0; cell < kDirections; ++cell) {
+      const Voxel from = offset(move) + offset(cell);
+      const bool around = magnitude(from.x) <= 1 && magnitude(from.y) <= 1 && magnitude(from.z) <= 1;
+      if (around && move != kHere) common.after[move] |= cell_bit(cell);
+    }
+  }
+  return common;
+}
+inline constexpr CommonCells kCommonCells = make_common_cells();
+
+/// Renumbers a set of cells around a voxel as cells around the end of a move from that voxel. Cells that are not around
+/// the end are left out; for kHere, all are.
+///
+/// A search need not move to a cell that the voxel before could move to: the direct move is shorter than the way round.
+constexpr CellMask cells_after(CellMask cells, int move) {
+  // Shifts up by kHere and down by the move's number, so that no branch depends on the direction.
+  return static_cast<CellMask>(std::uint64_t{cells} << kHere >> move) & kCommonCells.after[move];
 }
 
 }  // namespace tern

@@ -5,22 +5,18 @@
 namespace tern {
 namespace {
 
-constexpr std::uint32_t kBlocks = kNodeSlots / kBlockSlots;
+constexpr std::uint32_t kPages = kNodeSlots / kPageSlots;
 
-/// The voxel's slot, unless another voxel has taken it: its block by multiplicative hashing (the golden ratio, upper
-/// bits), and its place in the block.
+/// The voxel's slot, unless another voxel has taken it.
 std::uint32_t home_slot(const Voxel& v) {
-  const auto block = static_cast<std::uint32_t>((v.x >> 2) | (v.y >> 2) << 10 | (v.z >> 2) << 20);
-  const auto place = static_cast<std::uint32_t>((v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
-  const std::uint64_t spread = std::uint64_t{block * 0x9E3779B1u} * kBlocks;
-  return static_cast<std::uint32_t>(spread >> 32) * kBlockSlots + place;
+  return page_hash(page_coordinates(v), kPages) * kPageSlots + static_cast<std::uint32_t>(place_in_page(v));
 }
 
-/// Clears the 64 slots of a block of slots that this search has not looked at yet.
-void clear_block(NodeStore& store, std::uint32_t block) {
-  store.cleared[block / 64] |= std::uint64_t{1} << (block % 64);
-  std::uint32_t* slots = store.slots + block * kBlockSlots;
-  for (std::uint32_t k = 0; k < kBlockSlots; ++k) slots[k] = 0;
+/// Clears the 64 slots of a page that this search has not looked at yet.
+void clear_page(NodeStore& store, std::uint32_t page) {
+  store.cleared[page / 64] |= std::uint64_t{1} << (page % 64);
+  std::uint32_t* slots = store.slots + page * kPageSlots;
+  for (std::uint32_t k = 0; k < kPageSlots; ++k) slots[k] = 0;
 }
 
 }  // namespace
@@ -38,8 +34,8 @@ std::uint32_t store_find_or_add(NodeStore& store, const Voxel& voxel) noexcept {
   std::uint32_t slot = home_slot(voxel);
   // Ends at a free slot at the latest: no more than half of them are used.
   for (;; slot = (slot + 1) % kNodeSlots) {
-    const std::uint32_t block = slot / kBlockSlots;
-    if ((store.cleared[block / 64] >> (block % 64) & 1u) == 0) clear_block(store, block);
+    const std::uint32_t page = slot / kPageSlots;
+    if ((store.cleared[page / 64] >> (page % 64) & 1u) == 0) clear_page(store, page);
     const std::uint32_t held = store.slots[slot];
     if (held == 0) break;
     if (store.nodes[held - 1].voxel == number) return held - 1;

@@ -30,21 +30,38 @@ constexpr std::uint32_t power_of_two(std::uint32_t n) {
   return size;
 }
 
-/// Slots that one block of 4 x 4 x 4 voxels shares.
-constexpr std::uint32_t kBlockSlots = 64;
+/// A page is a cube of 4 x 4 x 4 voxels, from multiples of 4 on. These are its coordinates, and a voxel's place in it.
+constexpr Voxel page_coordinates(const Voxel& v) {
+  return {v.x >> 2, v.y >> 2, v.z >> 2};
+}
+constexpr int place_in_page(const Voxel& v) {
+  return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4;
+}
+constexpr Voxel voxel_in_page(const Voxel& page, int place) {
+  return {page.x * 4 + (place & 3), page.y * 4 + (place >> 2 & 3), page.z * 4 + (place >> 4)};
+}
+
+/// The upper bits of multiplicative hashing by the golden ratio: a number below `count` for a page.
+constexpr std::uint32_t page_hash(const Voxel& page, std::uint32_t count) {
+  const auto key = static_cast<std::uint32_t>(page.x | page.y << 10 | page.z << 20);
+  return static_cast<std::uint32_t>(std::uint64_t{key * 0x9E3779B1u} * count >> 32);
+}
+
+/// Slots that the voxels of a page share.
+constexpr std::uint32_t kPageSlots = 64;
 
 /// At most half of the slots are ever used, so that a probe is short.
 constexpr std::uint32_t kNodeSlots = power_of_two(2u * static_cast<std::uint32_t>(kMaxNodes));
-static_assert(kNodeSlots >= kBlockSlots && kMaxNodes < INT32_MAX, "a slot is a node's number and one");
+static_assert(kNodeSlots >= kPageSlots && kMaxNodes < INT32_MAX, "a slot is a node's number and one");
 
-/// All nodes of one search, found by voxel: an open-addressing table over a pool. Voxels of one block of 4 x 4 x 4 have
-/// their slots side by side, since a search asks for neighbours. The 64 slots of a block are cleared when they are
-/// first looked at, so that the cost of a search depends only on the voxels that it visits.
+/// All nodes of one search, found by voxel: an open-addressing table over a pool. Voxels of one page have their
+/// slots side by side, since a search asks for neighbours. The 64 slots of a page are cleared when they are first
+/// looked at, so that the cost of a search depends only on the voxels that it visits.
 struct NodeStore {
   std::uint32_t count;
-  std::uint32_t nx, ny;                                      ///< voxels of the grid along x and y
-  std::uint64_t cleared[kNodeSlots / kBlockSlots / 64 + 1];  ///< one bit for 64 slots
-  std::uint32_t slots[kNodeSlots];                           ///< 0 if free, otherwise 1 + the node
+  std::uint32_t nx, ny;                                     ///< voxels of the grid along x and y
+  std::uint64_t cleared[kNodeSlots / kPageSlots / 64 + 1];  ///< one bit for 64 slots
+  std::uint32_t slots[kNodeSlots];                          ///< 0 if free, otherwise 1 + the node
   SearchNode nodes[kMaxNodes];
 };
 

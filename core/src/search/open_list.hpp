@@ -30,8 +30,8 @@ constexpr bool before(const OpenKey& a, const OpenKey& b) {
 constexpr std::int32_t kSweepSteps = 32;
 
 /// Bins of f, a sixteenth of a voxel wide. They form a ring that holds every f from a node's to the largest of its
-/// successors. A jump is a sweep along three axes, a sweep along two, and a scan; its cost and the growth of h are each
-/// at most its length.
+/// successors. A jump is a sweep along three axes, a sweep along two, and a straight jump; its cost and the growth of h
+/// are each at most its length.
 constexpr int kBinBits = 32;
 constexpr std::int32_t kBinsPerVoxel = std::int32_t{1} << (kCostFraction - kBinBits);
 constexpr std::uint32_t kBins =

@@ -38,7 +38,7 @@ template <int kNormal>
 class PlaneWalk {
  public:
   PlaneWalk(const Grid& grid, const Voxel& at, const Voxel& step) noexcept : step_x_(step.x), x_(at.x) {
-    const BitRows blocked = GridView::blocked(grid);
+    const BitRows blocked = GridAccess::blocked(grid);
     words_ = blocked.row_words;
     const std::int64_t stride = kNormal == 1 ? blocked.index(0, step.z) : blocked.index(step.y, 0);
     for (int k = 0; k < 3; ++k) {
@@ -93,8 +93,8 @@ class PlaneWalk<0> {
       : row_(grid.blocked_row(at.y, at.z)),
         words_(grid.row_words()),
         x_(at.x),
-        step_y_(GridView::blocked(grid).index(step.y, 0)),
-        step_z_(GridView::blocked(grid).index(0, step.z)),
+        step_y_(GridAccess::blocked(grid).index(step.y, 0)),
+        step_z_(GridAccess::blocked(grid).index(0, step.z)),
         cells_(blocked_triple(row_, words_, x_)) {}
 
   bool step() noexcept {

@@ -13,7 +13,7 @@
 #include "search/dominance.hpp"
 #include "search/node_store.hpp"
 #include "search/open_list.hpp"
-#include "search/scan.hpp"
+#include "search/straight_jump.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"

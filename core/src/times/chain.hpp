@@ -22,7 +22,7 @@ struct ViaJoint {
   Vec3 velocity;
 };
 
-/// The vias' joints of a way, in its order, increasing in polyhedra. A view.
+/// The vias' joints of a way, in its order, increasing in polyhedra. The list must outlive it.
 struct ViaJoints {
   const ViaJoint* list = nullptr;
   int count = 0;

@@ -11,7 +11,7 @@
 
 namespace tern {
 
-/// The rest of a plan, from some instant on. A view: the plan must outlive it.
+/// The rest of a plan, from some instant on. The plan must outlive it.
 struct Pace {
   const Trajectory* plan = nullptr;  ///< null: none; else at least one segment
   double from = 0.0;                 ///< seconds since the plan's beginning, >= 0

@@ -13,7 +13,7 @@
 
 namespace tern {
 
-/// The chain's segments with control points of their own: chain.count rows, local frame. A view.
+/// The chain's segments with control points of their own: chain.count rows, local frame. Both must outlive it.
 struct Candidate {
   const Chain& chain;
   const Vec3 (*points)[kControlPoints];

@@ -4,7 +4,7 @@
 
 #include "base/bounds.hpp"
 #include "curve/motion_limits.hpp"
-#include "trajectory/hodograph_rows.hpp"
+#include "trajectory/hodograph_points.hpp"
 
 namespace tern {
 namespace {
@@ -17,12 +17,12 @@ bool moves(const JointState& state) {
   return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
 }
 
-/// True if those rows keep the limit that depend on the first four control points alone.
-bool fixed_rows_hold(int order, const Vec3* points, double duration, const Bounds& bounds) {
-  const OrderRows rows = rows_of(order);
+/// True if the points that depend on the first four control points alone keep the limit.
+bool fixed_points_hold(int order, const Vec3* points, double duration, const Bounds& bounds) {
+  const OrderPoints points_of_order = points_of(order);
   const double scale = 1.0 / power_of(duration, order);
-  for (int r = 0; r < rows.count; ++r) {
-    const double* const weights = rows.weights[r];
+  for (int r = 0; r < points_of_order.count; ++r) {
+    const double* const weights = points_of_order.weights[r];
     Vec3 value = kZero;
     bool fixed = true;
     for (int k = 0; k < kControlPoints; ++k) {
@@ -38,9 +38,9 @@ bool end_holds(const JointState& end, const Polyhedron& polyhedron, const Motion
   Segment segment{};
   control_points(end, end, duration, segment.points);
   for (int k = kJointOrder; k <= kDegree; ++k) segment.points[k] = end.d[0];
-  return inside(segment, polyhedron) && fixed_rows_hold(1, segment.points, duration, limits.velocity) &&
-         fixed_rows_hold(2, segment.points, duration, limits.acceleration) &&
-         fixed_rows_hold(3, segment.points, duration, limits.jerk);
+  return inside(segment, polyhedron) && fixed_points_hold(1, segment.points, duration, limits.velocity) &&
+         fixed_points_hold(2, segment.points, duration, limits.acceleration) &&
+         fixed_points_hold(3, segment.points, duration, limits.jerk);
 }
 
 double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const MotionLimits& limits,

@@ -7,7 +7,7 @@
 #define TERN_TRAJECTORY_END_WEIGHTS_HPP
 
 #include "curve/hermite.hpp"
-#include "trajectory/hodograph_rows.hpp"
+#include "trajectory/hodograph_points.hpp"
 
 namespace tern {
 
@@ -42,13 +42,13 @@ constexpr EndWeights end_weights(const double* weights) {
   return result;
 }
 
-/// The weights of all points, by the order of the derivative: the control points (order 0), and the rows of
-/// HodographRows.
+/// The weights of all points, by the order of the derivative: the control points (order 0), and those of
+/// HodographPoints.
 struct EndWeightTable {
   EndWeights position[kControlPoints];
-  EndWeights velocity[kVelocityRows];
-  EndWeights acceleration[kAccelerationRows];
-  EndWeights jerk[kJerkRows];
+  EndWeights velocity[kVelocityPoints];
+  EndWeights acceleration[kAccelerationPoints];
+  EndWeights jerk[kJerkPoints];
 };
 
 constexpr EndWeightTable make_end_weight_table() {
@@ -58,25 +58,25 @@ constexpr EndWeightTable make_end_weight_table() {
     weights[k] = 1.0;
     table.position[k] = end_weights(weights);
   }
-  for (int r = 0; r < kVelocityRows; ++r) table.velocity[r] = end_weights(kHodographRows.velocity[r]);
-  for (int r = 0; r < kAccelerationRows; ++r) table.acceleration[r] = end_weights(kHodographRows.acceleration[r]);
-  for (int r = 0; r < kJerkRows; ++r) table.jerk[r] = end_weights(kHodographRows.jerk[r]);
+  for (int r = 0; r < kVelocityPoints; ++r) table.velocity[r] = end_weights(kHodographPoints.velocity[r]);
+  for (int r = 0; r < kAccelerationPoints; ++r) table.acceleration[r] = end_weights(kHodographPoints.acceleration[r]);
+  for (int r = 0; r < kJerkPoints; ++r) table.jerk[r] = end_weights(kHodographPoints.jerk[r]);
   return table;
 }
 
 constexpr EndWeightTable kEndWeightTable = make_end_weight_table();
 
 /// The weights of a segment's points of one order, 0 to 3.
-struct EndWeightRows {
-  const EndWeights* rows;
+struct EndWeightList {
+  const EndWeights* list;
   int count;
 };
 
-constexpr EndWeightRows end_weights_of(int order) {
+constexpr EndWeightList end_weights_of(int order) {
   if (order == 0) return {kEndWeightTable.position, kControlPoints};
-  if (order == 1) return {kEndWeightTable.velocity, kVelocityRows};
-  if (order == 2) return {kEndWeightTable.acceleration, kAccelerationRows};
-  return {kEndWeightTable.jerk, kJerkRows};
+  if (order == 1) return {kEndWeightTable.velocity, kVelocityPoints};
+  if (order == 2) return {kEndWeightTable.acceleration, kAccelerationPoints};
+  return {kEndWeightTable.jerk, kJerkPoints};
 }
 
 }  // namespace tern

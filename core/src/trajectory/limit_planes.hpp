@@ -15,10 +15,11 @@ namespace tern {
 constexpr int kHorizontalSides = 16;
 constexpr int kMaxLimitPlanes = 6 + kHorizontalSides;
 
-/// Part of a limit that its rows leave free, so that a solution to within the solver's tolerance keeps the limit.
-constexpr double kRowMargin = 1e-8;
+/// Part of a limit that its constraints leave free, so that a solution to within the solver's tolerance keeps the
+/// limit.
+constexpr double kConstraintMargin = 1e-8;
 
-/// The half-spaces, for values divided by `unit`, the smallest limit. Rows then have values of the same size as
+/// The half-spaces, for values divided by `unit`, the smallest limit. Constraints then have values of the same size as
 /// positions in metres.
 struct LimitPlanes {
   double unit;
@@ -32,7 +33,7 @@ double horizontal_length(const Vec3& value) noexcept;
 /// horizontal limit implies; then the polygon. The polygon has a corner in the horizontal direction of `along`, which
 /// may have any length; if that is zero, along x. The same bounds give the same number of planes. At least one limit
 /// must exist. `margin`: the part of the limits that is left free.
-LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along, double margin = kRowMargin) noexcept;
+LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along, double margin = kConstraintMargin) noexcept;
 
 }  // namespace tern
 

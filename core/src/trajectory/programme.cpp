@@ -16,7 +16,7 @@ namespace {
 /// tolerance.
 constexpr double kSpring = 1e-10;
 
-static_assert(kControlPoints + kVelocityRows + kAccelerationRows + kJerkRows <= kQpPointsPerSegment,
+static_assert(kControlPoints + kVelocityPoints + kAccelerationPoints + kJerkPoints <= kQpPointsPerSegment,
               "room for a segment's points");
 
 double mean_duration(const Chain& chain) {
@@ -140,12 +140,12 @@ void add_polyhedron(const Polyhedron& polyhedron, const Vec3& center, QpProblem&
   }
 }
 
-PointOrigin origin_of(int segment, int order, int row) {
-  return {static_cast<std::int16_t>(segment), static_cast<std::int8_t>(order), static_cast<std::int8_t>(row)};
+PointOrigin origin_of(int segment, int order, int index) {
+  return {static_cast<std::int16_t>(segment), static_cast<std::int8_t>(order), static_cast<std::int8_t>(index)};
 }
 
 void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& scale, QpProblem& problem) {
-  const EndWeightRows points = end_weights_of(0);
+  const EndWeightList points = end_weights_of(0);
   int plane_begin = 0;
   for (int i = 0; i < chain.count; ++i) {
     if (i == 0 || chain.polyhedron[i] != chain.polyhedron[i - 1]) {
@@ -155,17 +155,17 @@ void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& 
     const Piece piece = piece_of(chain, scale, i);
     const int point_begin = problem.point_count;
     for (int k = 0; k < kControlPoints; ++k) {
-      add_point(piece, points.rows[k], 1.0, origin_of(i, 0, k), scale, problem);
+      add_point(piece, points.list[k], 1.0, origin_of(i, 0, k), scale, problem);
     }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
 
-/// Adds the rows of one kind of limit for every segment. All segments but the first leave out their first row: it is
-/// the last row of the segment before.
-void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes& limit, int order,
-                    QpProblem& problem) {
-  const EndWeightRows points = end_weights_of(order);
+/// Adds the constraints of one kind of limit for every segment. All segments but the first leave out their first point:
+/// it is the last point of the segment before.
+void add_limit_constraints(const Chain& chain, ProgrammeScale& scale, const LimitPlanes& limit, int order,
+                           QpProblem& problem) {
+  const EndWeightList points = end_weights_of(order);
   const int plane_begin = problem.plane_count;
   scale.unit[order] = limit.unit;
   for (int p = 0; p < limit.count; ++p) problem.planes[problem.plane_count + p] = limit.planes[p];
@@ -175,14 +175,14 @@ void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes
     const double multiplier = 1.0 / (power_of(chain.duration[i], order) * limit.unit);
     const int point_begin = problem.point_count;
     for (int r = i == 0 ? 0 : 1; r < points.count; ++r) {
-      add_point(piece, points.rows[r], multiplier, origin_of(i, order, r), scale, problem);
+      add_point(piece, points.list[r], multiplier, origin_of(i, order, r), scale, problem);
     }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
 
-/// Adds the rows that keep the joints at vias with a tolerance in their cubes.
-void add_via_rows(const Chain& chain, ProgrammeScale& scale, QpProblem& problem) {
+/// Adds the constraints that keep the joints at vias with a tolerance in their cubes.
+void add_via_constraints(const Chain& chain, ProgrammeScale& scale, QpProblem& problem) {
   for (int i = 0; i < chain.via_joint_count; ++i) {
     const ViaJoint& via_joint = chain.via_joints[i];
     if (gives(via_joint, 0)) continue;
@@ -193,7 +193,7 @@ void add_via_rows(const Chain& chain, ProgrammeScale& scale, QpProblem& problem)
     Halfspace faces[kBoxPlanes];
     box_planes({at - edge, at + edge}, faces);
     for (const Halfspace& face : faces) problem.planes[problem.plane_count++] = face;
-    add_point(piece_of(chain, scale, via_joint.segment), end_weights_of(0).rows[0], 1.0,
+    add_point(piece_of(chain, scale, via_joint.segment), end_weights_of(0).list[0], 1.0,
               origin_of(via_joint.segment, 0, 0), scale, problem);
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
@@ -249,12 +249,12 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   add_corridor(chain, corridor, scale, problem);
   const LimitPlanes velocity = limit_planes(limits.velocity, kept_direction(chain, 1));
   const LimitPlanes acceleration = limit_planes(limits.acceleration, kept_direction(chain, 2));
-  add_limit_rows(chain, scale, velocity, 1, problem);
-  add_limit_rows(chain, scale, acceleration, 2, problem);
+  add_limit_constraints(chain, scale, velocity, 1, problem);
+  add_limit_constraints(chain, scale, acceleration, 2, problem);
   if (limits_anything(limits.jerk)) {
-    add_limit_rows(chain, scale, limit_planes(limits.jerk, kept_direction(chain, 3), kJerkMargin), 3, problem);
+    add_limit_constraints(chain, scale, limit_planes(limits.jerk, kept_direction(chain, 3), kJerkMargin), 3, problem);
   }
-  add_via_rows(chain, scale, problem);
+  add_via_constraints(chain, scale, problem);
 }
 
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,

@@ -18,27 +18,27 @@
 
 namespace tern {
 
-/// What a point of a programme stands for: control point `row` of a segment (order 0), or row `row` of kHodographRows
-/// (order 1 to 3).
+/// What a point of a programme stands for: control point `index` of a segment (order 0), or point `index` of
+/// kHodographPoints (order 1 to 3).
 struct PointOrigin {
   std::int16_t segment;
   std::int8_t order;
-  std::int8_t row;
+  std::int8_t index;
 };
 
 /// How to convert a programme's unknowns to states, its points to parts of segments, and its cost to snap.
 struct ProgrammeScale {
   double tau;                               ///< mean duration, seconds
   double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
-  double unit[4];                           ///< unit of the rows of each order: metres, m/s, m/s^2, m/s^3
+  double unit[4];                           ///< unit of the points of each order: metres, m/s, m/s^2, m/s^3
   double snap_per_cost;                     ///< integral of squared snap divided by the programme's objective
   PointOrigin origin[kQpMaxPoints];
 };
 
-/// Fills the programme: minimum snap over the chain, and its rows. Rows without unknowns, which follow from the
-/// boundary states and the durations alone, are left out: whoever accepts a solution checks all control points anyway.
-/// A row keeps its (point, plane) from one assembly of a chain to the next, whatever the durations. So a working set
-/// can warm-start the next programme.
+/// Fills the programme: minimum snap over the chain, and its constraints. Constraints without unknowns, which follow
+/// from the boundary states and the durations alone, are left out: whoever accepts a solution checks all control points
+/// anyway. A constraint keeps its (point, plane) from one assembly of a chain to the next, whatever the durations. So a
+/// working set can warm-start the next programme.
 void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept;
 
@@ -46,6 +46,14 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
 /// bits at a common joint. The first and the last control point are the start and the goal, bit for bit.
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,
                  Vec3 (*points)[kControlPoints]) noexcept;
+
+/// prices[i] = -T_i dJ/dT_i in m^2/s^7, where J is the least integral of squared snap that the constraints allow: by
+/// how much J falls per relative growth of segment i's duration. By the envelope theorem this is the derivative of the
+/// Lagrangian with the joints' states and the multipliers fixed, so it takes no further solve. An active constraint
+/// that presses on a segment raises its price. A price is negative if a shorter segment would have less snap. `points`:
+/// the solution's control points.
+void time_prices(const Chain& chain, const QpProblem& problem, const QpSolution& solution, const ProgrammeScale& scale,
+                 const Vec3 (*points)[kControlPoints], double* prices) noexcept;
 
 }  // namespace tern
 

@@ -1,10 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trajectory/time_prices.hpp"
-
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
-#include "trajectory/hodograph_rows.hpp"
+#include "trajectory/hodograph_points.hpp"
+#include "trajectory/programme.hpp"
 
 namespace tern {
 namespace {
@@ -32,8 +31,8 @@ double snap_price(const Vec3* points, const Vec3* drift, double duration) {
 
 /// T d/dT of a programme's point, which is sum_k w_k c_k / (T^order unit).
 Vec3 point_drift(const PointOrigin& origin, const Vec3* points, const Vec3* drift, double duration, double unit) {
-  if (origin.order == 0) return drift[origin.row];
-  const double* const weights = rows_of(origin.order).weights[origin.row];
+  if (origin.order == 0) return drift[origin.index];
+  const double* const weights = points_of(origin.order).weights[origin.index];
   Vec3 sum = kZero;
   for (int k = 0; k < kControlPoints; ++k)
     sum = sum + weights[k] * (drift[k] - static_cast<double>(origin.order) * points[k]);
@@ -50,12 +49,12 @@ void time_prices(const Chain& chain, const QpProblem& problem, const QpSolution&
     prices[i] = snap_price(points[i], drift, chain.duration[i]);
   }
   for (int r = 0; r < solution.active_count; ++r) {
-    const QpRow& row = solution.active[r];
-    const PointOrigin& origin = scale.origin[row.point];
+    const QpConstraint& active = solution.active[r];
+    const PointOrigin& origin = scale.origin[active.point];
     const int i = origin.segment;
     drift_of(points[i], drift);
     const Vec3 change = point_drift(origin, points[i], drift, chain.duration[i], scale.unit[origin.order]);
-    prices[i] -= scale.snap_per_cost * solution.multiplier[r] * dot(problem.planes[row.plane].normal, change);
+    prices[i] -= scale.snap_per_cost * solution.multiplier[r] * dot(problem.planes[active.plane].normal, change);
   }
 }
 

@@ -7,9 +7,8 @@
 #include "curve/rest.hpp"
 #include "times/time_unit.hpp"
 #include "trajectory/chain_ends.hpp"
-#include "trajectory/operations.hpp"
+#include "trajectory/programme.hpp"
 #include "trajectory/stop_and_go.hpp"
-#include "trajectory/time_prices.hpp"
 
 namespace tern {
 namespace {

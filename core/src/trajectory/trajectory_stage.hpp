@@ -12,6 +12,7 @@
 #include "base/bounds.hpp"
 #include "base/progress.hpp"
 #include "base/work.hpp"
+#include "qp/qp.hpp"
 #include "qp/solver.hpp"
 #include "tern/corridor.hpp"
 #include "tern/report.hpp"
@@ -68,7 +69,7 @@ struct TrajectoryStage {
   std::uint32_t solve_begin;  ///< `iterations` when the programme was begun
   double fixed_snap;          ///< snap of the chain with all unknowns zero, which the programme's cost leaves out
   int warm_count;
-  QpRow warm[kMaxActive];
+  QpConstraint warm[kMaxActive];
   Vec3 points[kMaxSegments][kControlPoints];  ///< control points of the candidate
   QpProblem problem;
   QpSolution solution;
@@ -89,6 +90,39 @@ void trajectory_stop(TrajectoryStage& stage) noexcept;
 /// only from a moving start, to a moving goal or past a via with a velocity. Segments name their polyhedron; there may
 /// be more segments than polyhedra.
 Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
+
+/// A duration tried for a segment at an end: its curve and three derivatives, against half-spaces and limits.
+constexpr Operations kEndOperations = 10 * ops::kCurve;
+
+/// The assembly of a programme, and the snap of the chain with all unknowns zero: eight curves a segment, and each
+/// point and half-space once.
+inline Operations assembly_operations(const Chain& chain, const QpProblem& problem) {
+  return 8 * ops::kCurve * chain.count + kQpPointTerms * ops::kDot * problem.point_count +
+         ops::kDot * problem.plane_count;
+}
+
+/// A judgement, whatever it decides: the chain's durations, tried and kept.
+inline Operations judgement_operations(const Chain& chain) {
+  return ops::kPiece + ops::kCurve * chain.count;
+}
+
+/// The points of a solution, read and checked against polyhedra and limits: ten curves a segment.
+inline Operations points_operations(const Chain& chain) {
+  return 10 * ops::kCurve * chain.count;
+}
+
+/// The prices of the durations: five curves a segment, and two points for each active constraint.
+inline Operations prices_operations(const Chain& chain, const QpSolution& solution) {
+  return 5 * ops::kCurve * chain.count + 2 * ops::kPiece * solution.active_count;
+}
+
+/// Brakings that stop-and-go tries at an end in motion, about.
+constexpr int kBrakingsTried = 256;
+
+/// Stop-and-go along `polyhedra` polyhedra: a curve each, and at ends in motion one for each braking that is tried.
+inline Operations rest_operations(int polyhedra, bool at_rest) {
+  return ops::kCurve * (polyhedra + (at_rest ? 0 : kBrakingsTried));
+}
 
 }  // namespace tern
 

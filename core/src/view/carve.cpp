@@ -9,7 +9,7 @@
 namespace tern {
 namespace {
 
-/// A cube of voxels in a block; (x, y, z) is its lowest voxel within the block.
+/// A cube of voxels in a brick; (x, y, z) is its lowest voxel within the brick.
 struct Cube {
   std::int32_t x, y, z;
 };
@@ -21,7 +21,7 @@ std::uint64_t bits_of(const Cube& cube) {
 
 /// True if the cube has a wanted voxel.
 template <std::int32_t kSize>
-bool any(const BlockWords& wanted, const Cube& cube) {
+bool any(const BrickWords& wanted, const Cube& cube) {
   std::uint64_t sum = 0;
   for (std::int32_t z = 0; z < kSize; ++z) {
     for (std::int32_t y = 0; y < kSize; ++y) sum |= wanted.words[cube.z + z][cube.y + y];
@@ -30,7 +30,7 @@ bool any(const BlockWords& wanted, const Cube& cube) {
 }
 
 template <std::int32_t kSize>
-void add(BlockWords& words, const Cube& cube) {
+void add(BrickWords& words, const Cube& cube) {
   for (std::int32_t z = 0; z < kSize; ++z) {
     for (std::int32_t y = 0; y < kSize; ++y) words.words[cube.z + z][cube.y + y] |= bits_of<kSize>(cube);
   }
@@ -58,12 +58,12 @@ bool clear(const View& view, const Footprints& feet, int k) {
   return view.reach > 0.0 && pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
 }
 
-/// Carves cubes of a block.
+/// Carves cubes of a brick.
 struct Carver {
   const View& view;
   const Projector& projector;
-  const BlockWords& wanted;
-  BlockWords& free;
+  const BrickWords& wanted;
+  BrickWords& free;
   Work& work;
 
   /// Of eight cubes, marks those that may have a wanted voxel that the view sees whole.
@@ -120,16 +120,16 @@ struct Carver {
 
 }  // namespace
 
-void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted, BlockWords& free,
+void carve(const View& view, const Projector& projector, const Voxel& first, const BrickWords& wanted, BrickWords& free,
            const CarvePart& part, CubeBits& left, Work& work) noexcept {
-  const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
+  const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBrick, first.z + 0.5 * kBrick);
   const Centers centers =
-      projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
+      projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBrick);
   Cube cubes[8];
-  for (int k = 0; k < 8; ++k) cubes[k] = {kBlock * k, 0, 0};
+  for (int k = 0; k < 8; ++k) cubes[k] = {kBrick * k, 0, 0};
   Carver carver{view, projector, wanted, free, work};
-  if (part.begins) left = carver.decide<kBlock>(centers, cubes);
-  carver.divide<kBlock>(centers, cubes, left & part.cubes);
+  if (part.begins) left = carver.decide<kBrick>(centers, cubes);
+  carver.divide<kBrick>(centers, cubes, left & part.cubes);
   left = static_cast<CubeBits>(left & ~part.cubes);
 }
 

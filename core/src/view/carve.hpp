@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the voxels of a block that a view sees whole.
+// Finds the voxels of a brick that a view sees whole.
 #ifndef TERN_VIEW_CARVE_HPP
 #define TERN_VIEW_CARVE_HPP
 
@@ -11,8 +11,8 @@
 
 namespace tern {
 
-/// Rows and planes of a block. Along x, a block is one word long.
-constexpr std::int32_t kBlock = 8;
+/// Rows and planes of a brick. Along x, a brick is one word long.
+constexpr std::int32_t kBrick = 8;
 
 /// Of choosing among eight cubes: their words, and unless they are voxels, a look at the pyramid for each; in the view
 /// of a scan, a wider one.
@@ -23,33 +23,33 @@ constexpr Operations choose_operations(std::int32_t size, bool around) noexcept 
 constexpr Operations decide_operations(bool around) noexcept {
   return 8 * (around ? 15 : 5) * ops::kDot;
 }
-/// The most of a whole block: cubes of 8, 4 and 2 voxels, and all voxels.
+/// The most of a whole brick: cubes of 8, 4 and 2 voxels, and all voxels.
 constexpr Operations carve_operations(bool around) noexcept {
   constexpr Operations kCubes = 1 + 8 + 64;
   return kCubes * (choose_operations(2, around) + decide_operations(around)) +
          8 * 64 * (choose_operations(1, around) + decide_operations(around));
 }
 
-/// A word for each row of a block: [plane][row].
-struct BlockWords {
-  std::uint64_t words[kBlock][kBlock];
+/// A word for each row of a brick: [plane][row].
+struct BrickWords {
+  std::uint64_t words[kBrick][kBrick];
 };
 
-/// Cubes of a block, a bit each; along x, a block is eight of them long.
+/// Cubes of a brick, a bit each; along x, a brick is eight of them long.
 using CubeBits = std::uint8_t;
 constexpr CubeBits kAllCubes = 0xff;
 
-/// The part of a block that one call carves: whether the call begins the block, and the cubes that it may divide.
+/// The part of a brick that one call carves: whether the call begins the brick, and the cubes that it may divide.
 struct CarvePart {
   bool begins;
   CubeBits cubes;
 };
 
 /// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
-/// the block's lowest voxel. Begins with cubes of 8 x 8 x 8 voxels and divides only those that cannot be decided as a
+/// the brick's lowest voxel. Begins with cubes of 8 x 8 x 8 voxels and divides only those that cannot be decided as a
 /// whole. `left` becomes the cubes that another call must divide. A piece of
 /// work.
-void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted, BlockWords& free,
+void carve(const View& view, const Projector& projector, const Voxel& first, const BrickWords& wanted, BrickWords& free,
            const CarvePart& part, CubeBits& left, Work& work) noexcept;
 
 }  // namespace tern

@@ -26,7 +26,7 @@ struct PixelBox {
   std::int32_t u0, u1, v0, v1;
 };
 
-/// A view of a pyramid in the map's storage. Level k has one entry for each 2^k x 2^k pixels.
+/// A pyramid in the map's storage. Level k has one entry for each 2^k x 2^k pixels.
 class DepthPyramid {
  public:
   DepthPyramid() noexcept = default;

@@ -61,11 +61,11 @@ bool narrow_boundary(Solids& solids, Grid& view) noexcept {
   bool narrowed = false;
   for (int a = 0; a < 3; ++a) {
     const Box whole = view.local_boundary();
-    GridView::set_boundary(view, within_walls(solids, whole, a));
+    GridAccess::set_boundary(view, within_walls(solids, whole, a));
     if (is_thin(view, a) && drop_walls(solids, a)) {
       narrowed = true;
     } else {
-      GridView::set_boundary(view, whole);
+      GridAccess::set_boundary(view, whole);
     }
   }
   return narrowed;

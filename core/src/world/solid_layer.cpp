@@ -17,7 +17,7 @@ namespace {
 /// Blocks the voxels of a row that are in the range. An empty range blocks none.
 void block_run(SolidLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
   if (run.end <= run.begin) return;
-  std::uint64_t* row = layer.words + GridView::blocked(view).index(y, z);
+  std::uint64_t* row = layer.words + GridAccess::blocked(view).index(y, z);
   for (std::int32_t k = run.begin >> 6; k <= (run.end - 1) >> 6; ++k) row[k] |= bits_within(run, k);
 }
 
@@ -114,11 +114,11 @@ Operations solid_plane_operations(const GridSpec& spec) noexcept {
 }
 
 Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept {
-  const std::size_t words = GridView::layer_words(grid);
+  const std::size_t words = GridAccess::layer_words(grid);
   if (is_full(words > static_cast<std::size_t>(kMaxWorldWords))) return Status::kWorldFull;
-  const std::uint64_t* from = GridView::blocked(grid).words;
+  const std::uint64_t* from = GridAccess::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
-  view = GridView::with_blocked(grid, layer.words);
+  view = GridAccess::with_blocked(grid, layer.words);
   layer.narrowed = false;
   return Status::kOk;
 }

@@ -4,8 +4,8 @@
 // The points that a limit applies to: control points of pieces of a hodograph. The control points of the whole
 // hodograph bound it (its hull), but by up to a third too much; those of its two halves are four times closer. The
 // weights of the eight control points of the position in each point are constants.
-#ifndef TERN_TRAJECTORY_HODOGRAPH_ROWS_HPP
-#define TERN_TRAJECTORY_HODOGRAPH_ROWS_HPP
+#ifndef TERN_TRAJECTORY_HODOGRAPH_POINTS_HPP
+#define TERN_TRAJECTORY_HODOGRAPH_POINTS_HPP
 
 #include "tern/trajectory.hpp"
 
@@ -17,16 +17,16 @@ constexpr int kVelocityPieces = 2;
 constexpr int kAccelerationPieces = 4;
 constexpr int kJerkPieces = 2;
 /// Control points of all pieces, shared ends counted once.
-constexpr int kVelocityRows = 6 * kVelocityPieces + 1;
-constexpr int kAccelerationRows = 5 * kAccelerationPieces + 1;
-constexpr int kJerkRows = 4 * kJerkPieces + 1;
+constexpr int kVelocityPoints = 6 * kVelocityPieces + 1;
+constexpr int kAccelerationPoints = 5 * kAccelerationPieces + 1;
+constexpr int kJerkPoints = 4 * kJerkPieces + 1;
 
-/// Row r has the weights of control points 0 .. 7, still to be divided by duration^order. They are dyadic numbers, so
+/// Entry r has the weights of control points 0 .. 7, still to be divided by duration^order. They are dyadic numbers, so
 /// they are exact.
-struct HodographRows {
-  double velocity[kVelocityRows][kControlPoints];
-  double acceleration[kAccelerationRows][kControlPoints];
-  double jerk[kJerkRows][kControlPoints];
+struct HodographPoints {
+  double velocity[kVelocityPoints][kControlPoints];
+  double acceleration[kAccelerationPoints][kControlPoints];
+  double jerk[kJerkPoints][kControlPoints];
 };
 
 /// The control points of one curve, each as weights of the position's eight control points.
@@ -63,37 +63,37 @@ constexpr WeightedCurve cut_weights(WeightedCurve& curve, double u) {
   return first;
 }
 
-constexpr void piece_weights(int order, int pieces, double (*rows)[kControlPoints]) {
+constexpr void piece_weights(int order, int pieces, double (*points)[kControlPoints]) {
   WeightedCurve rest = derivative_weights(order);
   const int n = rest.degree;
   for (int piece = 0; piece < pieces; ++piece) {
     const WeightedCurve first = cut_weights(rest, 1.0 / (pieces - piece));
     for (int i = 0; i <= n; ++i) {
-      for (int j = 0; j <= kDegree; ++j) rows[piece * n + i][j] = first.w[i][j];
+      for (int j = 0; j <= kDegree; ++j) points[piece * n + i][j] = first.w[i][j];
     }
   }
 }
 
-constexpr HodographRows make_hodograph_rows() {
-  HodographRows rows{};
-  piece_weights(1, kVelocityPieces, rows.velocity);
-  piece_weights(2, kAccelerationPieces, rows.acceleration);
-  piece_weights(3, kJerkPieces, rows.jerk);
-  return rows;
+constexpr HodographPoints make_hodograph_points() {
+  HodographPoints points{};
+  piece_weights(1, kVelocityPieces, points.velocity);
+  piece_weights(2, kAccelerationPieces, points.acceleration);
+  piece_weights(3, kJerkPieces, points.jerk);
+  return points;
 }
 
-constexpr HodographRows kHodographRows = make_hodograph_rows();
+constexpr HodographPoints kHodographPoints = make_hodograph_points();
 
-/// The rows of a derivative, order 1 to 3.
-struct OrderRows {
+/// The points of a derivative, order 1 to 3.
+struct OrderPoints {
   const double (*weights)[kControlPoints];
   int count;
 };
 
-constexpr OrderRows rows_of(int order) {
-  if (order == 1) return {kHodographRows.velocity, kVelocityRows};
-  if (order == 2) return {kHodographRows.acceleration, kAccelerationRows};
-  return {kHodographRows.jerk, kJerkRows};
+constexpr OrderPoints points_of(int order) {
+  if (order == 1) return {kHodographPoints.velocity, kVelocityPoints};
+  if (order == 2) return {kHodographPoints.acceleration, kAccelerationPoints};
+  return {kHodographPoints.jerk, kJerkPoints};
 }
 
 /// duration^order.

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "qp/rows.hpp"
-
 #include "base/math.hpp"
+#include "qp/parts.hpp"
 
 namespace tern::qp {
 namespace {
@@ -134,9 +133,9 @@ void find_obliques(const QpProblem& problem, QpSolver& solver) {
   }
 }
 
-bool in_group(const QpGroup& group, const QpRow& row) {
-  return row.point >= group.point_begin && row.point < group.point_end && row.plane >= group.plane_begin &&
-         row.plane < group.plane_end;
+bool in_group(const QpGroup& group, const QpConstraint& constraint) {
+  return constraint.point >= group.point_begin && constraint.point < group.point_end &&
+         constraint.plane >= group.plane_begin && constraint.plane < group.plane_end;
 }
 
 }  // namespace
@@ -189,24 +188,24 @@ void prepare_points(const QpProblem& problem, QpSolver& solver) {
   }
 }
 
-double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpRow& row) {
-  return violation_at(evaluate(problem.points[row.point], solver), solver.planes, row.plane);
+double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpConstraint& constraint) {
+  return violation_at(evaluate(problem.points[constraint.point], solver), solver.planes, constraint.plane);
 }
 
-bool is_row(const QpProblem& problem, const QpRow& row) {
+bool is_constraint(const QpProblem& problem, const QpConstraint& constraint) {
   for (int g = 0; g < problem.group_count; ++g) {
-    if (in_group(problem.groups[g], row)) return true;
+    if (in_group(problem.groups[g], constraint)) return true;
   }
   return false;
 }
 
-bool find_contradiction(const QpProblem& problem, QpRow& row) {
+bool find_contradiction(const QpProblem& problem, QpConstraint& constraint) {
   for (int g = 0; g < problem.group_count; ++g) {
     const QpGroup& group = problem.groups[g];
     if (group.point_begin >= group.point_end) continue;
     for (int p = group.plane_begin; p < group.plane_end; ++p) {
       const Halfspace& plane = problem.planes[p];
-      row = {group.point_begin, p};
+      constraint = {group.point_begin, p};
       if (plane.offset < 0.0 && !(inverse_length(plane) > 0.0)) return true;
     }
   }
