@@ -9,6 +9,7 @@
 #include "corridor/corridor_stage.hpp"
 #include "corridor/grow.hpp"
 #include "map.hpp"
+#include "support/at_once.hpp"
 #include "tern_port/port.hpp"
 #include "volume.hpp"
 
@@ -32,7 +33,7 @@ Status grow_timed(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratc
   for (int i = 0; i < kTimings && status == Status::kOk; ++i) {
     reset_counters(scratch);
     const std::uint64_t before = tern_port::ticks(nullptr);
-    status = grow_polyhedron(tern::World(grid), from, to, scratch, out);
+    status = tern_test::grow_polyhedron(tern::World(grid), from, to, scratch, out);
     const double taken =
         static_cast<double>(tern_port::ticks(nullptr) - before) * (1e6 / tern_port::ticks_per_second());
     least = i == 0 ? taken : std::min(least, taken);

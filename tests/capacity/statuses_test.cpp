@@ -14,6 +14,7 @@
 #include "capacity/cases.hpp"
 #include "corridor/grow.hpp"
 #include "planner/layout.hpp"
+#include "support/at_once.hpp"
 #include "support/owned_map.hpp"
 #include "support/qp_dense.hpp"
 #include "support/world.hpp"
@@ -111,7 +112,7 @@ Status grow_through_obstacle() {
   const auto scratch = std::make_unique<tern::GrowScratch>();
   const auto polyhedron = std::make_unique<tern::Polyhedron>();
   tern::reset_counters(*scratch);
-  return tern::grow_polyhedron(tern::World(world.grid), {1.0, 1.55, 1.0}, {2.0, 1.55, 1.0}, *scratch, *polyhedron);
+  return tern_test::grow_polyhedron(tern::World(world.grid), {1.0, 1.55, 1.0}, {2.0, 1.55, 1.0}, *scratch, *polyhedron);
 }
 
 /// The check looks at a plan that was spoilt in the workspace: no request is known that leads there.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "corridor/grow.hpp"
+#include "support/at_once.hpp"
 #include "support/corridor_case.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
@@ -57,7 +58,8 @@ void expect_case_solved(const CorridorCase& c, Random& random, std::size_t strid
   for (std::size_t i = 0; i < segments.size(); i += stride) {
     const auto& segment = segments[i];
     reset_counters(*scratch);
-    ASSERT_EQ(grow_polyhedron(tern::World(world.grid), segment[0], segment[1], *scratch, *polyhedron), Status::kOk);
+    ASSERT_EQ(tern_test::grow_polyhedron(tern::World(world.grid), segment[0], segment[1], *scratch, *polyhedron),
+              Status::kOk);
     const std::vector<Box> near = cubes_near(world.grid, segment[0], segment[1]);
     const double clearance = segment_clearance(segment[0], segment[1], near, 1e9);
     ASSERT_GT(clearance, 0.04);  // segments keep 0.1 m, pieces of polylines about half of it

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <memory>
 
+#include "support/at_once.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
@@ -25,7 +26,7 @@ class CorridorGrow : public ::testing::Test {
  protected:
   Status grow(const MarkedWorld& world, const Vec3& from, const Vec3& to) {
     reset_counters(*scratch_);
-    return grow_polyhedron(tern::World(world.grid), from, to, *scratch_, polyhedron_);
+    return tern_test::grow_polyhedron(tern::World(world.grid), from, to, *scratch_, polyhedron_);
   }
 
   /// Grows and holds the result against brute force.

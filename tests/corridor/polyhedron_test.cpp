@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "corridor/grow.hpp"
+#include "support/at_once.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
@@ -120,7 +121,7 @@ TEST(CorridorPolyhedron, IsClearOfEveryCubeAndHoldsItsSegment) {
     const double clearance = segment_clearance(from, to, cubes, 1e9);
     const double radius = world.grid.spec().radius;
     reset_counters(*scratch);
-    const Status status = grow_polyhedron(tern::World(world.grid), from, to, *scratch, *polyhedron);
+    const Status status = tern_test::grow_polyhedron(tern::World(world.grid), from, to, *scratch, *polyhedron);
     if (clearance < radius - 1e-7) {
       ASSERT_EQ(status, Status::kCorridorBlocked) << "case " << i;
       ++blocked;
@@ -156,11 +157,11 @@ TEST(CorridorPolyhedron, DoesNotDependOnWhatTheScratchHeld) {
     std::memset(static_cast<void*>(scratch.get()), 0xA5, sizeof *scratch);
     std::memset(static_cast<void*>(first.get()), 0, sizeof *first);
     reset_counters(*scratch);
-    const Status a = grow_polyhedron(tern::World(world.grid), from, to, *scratch, *first);
+    const Status a = tern_test::grow_polyhedron(tern::World(world.grid), from, to, *scratch, *first);
     std::memset(static_cast<void*>(scratch.get()), 0, sizeof *scratch);
     std::memset(static_cast<void*>(second.get()), 0, sizeof *second);
     reset_counters(*scratch);
-    const Status b = grow_polyhedron(tern::World(world.grid), from, to, *scratch, *second);
+    const Status b = tern_test::grow_polyhedron(tern::World(world.grid), from, to, *scratch, *second);
     ASSERT_EQ(a, b);
     if (a != Status::kOk) continue;
     ASSERT_EQ(first->count, second->count);

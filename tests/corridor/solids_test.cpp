@@ -12,6 +12,7 @@
 #include "corridor/corridor_stage.hpp"
 #include "corridor/grow.hpp"
 #include "corridor/hull_polyhedron.hpp"
+#include "support/at_once.hpp"
 #include "support/corridor_reference.hpp"
 #include "world/fences.hpp"
 
@@ -37,7 +38,7 @@ class CorridorFences : public ::testing::Test {
   }
   tern::World world() const { return tern::World(world_.grid, *solids_); }
   Status grow(const Vec3& from, const Vec3& to) {
-    return tern::grow_polyhedron(world(), from, to, *scratch_, *polyhedron_);
+    return tern_test::grow_polyhedron(world(), from, to, *scratch_, *polyhedron_);
   }
   Status enclose(const std::vector<Vec3>& points) {
     return tern::enclose_hull(world(), {points.data(), static_cast<int>(points.size())}, 0.0, *scratch_, *polyhedron_);

@@ -9,6 +9,7 @@
 #include "ellipsoid/ellipsoid_fit.hpp"
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "grid/touching.hpp"
+#include "support/at_once.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
@@ -19,7 +20,6 @@ using tern::box_of;
 using tern::BoxContact;
 using tern::EllipsoidFrame;
 using tern::EllipsoidMetric;
-using tern::fit_ellipsoid;
 using tern::LocalBox;
 using tern::Obstacles;
 using tern::Polyhedron;
@@ -150,7 +150,7 @@ TEST(CorridorEllipsoid, TheLeastScaleIsABoundAndMostlyANearOne) {
 
 TEST(CorridorEllipsoid, AFreeSegmentGetsASphere) {
   const Obstacles none{nullptr, 0, 0.25};
-  const EllipsoidFrame frame = fit_ellipsoid({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, none, 0.1, nullptr);
+  const EllipsoidFrame frame = tern_test::fit_ellipsoid({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, none, 0.1, nullptr);
   EXPECT_EQ(frame.center[0], 2.0);
   for (const double semi_axis : frame.semi_axis) EXPECT_EQ(semi_axis, 2.0);
 }
@@ -159,7 +159,8 @@ TEST(CorridorEllipsoid, AWallBesideShrinksYAndLeavesZ) {
   // A wall at y = 1, wide in x and z: the ellipsoid touches it at its middle, one metre away.
   const LocalBox wall{{-10.0, 1.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
-  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside);
+  const EllipsoidFrame frame =
+      tern_test::fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside);
   EXPECT_DOUBLE_EQ(frame.semi_axis[0], 3.0);
   EXPECT_NEAR(frame.semi_axis[1], 1.0, 5e-3);
   EXPECT_NEAR(frame.semi_axis[2], 3.0, 1e-12);
@@ -175,7 +176,8 @@ TEST(CorridorEllipsoid, YPointsToTheNearestOfTwo) {
     for (const bool wall_first : {true, false}) {
       const LocalBox boxes[] = {wall_first ? wall : ceiling, wall_first ? ceiling : wall};
       std::int32_t inside[2];
-      const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {boxes, 2, 0.0}, 0.1, inside);
+      const EllipsoidFrame frame =
+          tern_test::fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {boxes, 2, 0.0}, 0.1, inside);
       const bool wall_is_nearer = height > 1.0;
       EXPECT_NEAR(frame.semi_axis[1], wall_is_nearer ? 1.0 : height, 2e-3);
       EXPECT_NEAR(frame.semi_axis[2], wall_is_nearer ? height : 1.0, 2e-3);
@@ -187,21 +189,23 @@ TEST(CorridorEllipsoid, YPointsToTheNearestOfTwo) {
 TEST(CorridorEllipsoid, TheRadiusCountsAsObstacle) {
   const LocalBox wall{{-10.0, 1.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
-  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.4}, 0.1, inside);
+  const EllipsoidFrame frame =
+      tern_test::fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.4}, 0.1, inside);
   EXPECT_NEAR(frame.semi_axis[1], 0.6, 5e-3);
 }
 
 TEST(CorridorEllipsoid, AGrazedObstacleLeavesAtLeastTheThinnestAxis) {
   const LocalBox wall{{-10.0, 0.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
-  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside);
+  const EllipsoidFrame frame =
+      tern_test::fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside);
   EXPECT_GE(frame.semi_axis[1], 0.01);
   EXPECT_GE(frame.semi_axis[2], frame.semi_axis[1]);
 }
 
 TEST(CorridorEllipsoid, APointGetsABall) {
   const Obstacles none{nullptr, 0, 0.0};
-  const EllipsoidFrame frame = fit_ellipsoid({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, none, 0.2, nullptr);
+  const EllipsoidFrame frame = tern_test::fit_ellipsoid({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, none, 0.2, nullptr);
   for (const double semi_axis : frame.semi_axis) EXPECT_DOUBLE_EQ(semi_axis, 0.1);
   EXPECT_EQ(frame.center[1], 2.0);
 }

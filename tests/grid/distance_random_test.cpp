@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "grid/distance.hpp"
+#include "support/at_once.hpp"
 #include "support/grid_storage.hpp"
 #include "support/random.hpp"
 
@@ -103,10 +104,10 @@ TEST(SegmentBoxProperty, EqualsTernarySearch) {
     const ClosestPair pair = tern::segment_box_closest(a, b, box);
     ASSERT_NEAR(std::sqrt(pair.distance_squared), static_cast<double>(reference_distance(a, b, box)), 1e-12) << k;
     ASSERT_EQ(pair.distance_squared, tern::segment_box_distance_squared(a, b, box));
-    ASSERT_EQ(pair.distance_squared, tern::point_box_distance_squared(pair.on_segment, box));
+    ASSERT_EQ(pair.distance_squared, tern::segment_box_distance_squared(pair.on_segment, pair.on_segment, box));
     ASSERT_GE(pair.t, 0.0);
     ASSERT_LE(pair.t, 1.0);
-    ASSERT_EQ(tern::point_box_distance_squared(pair.on_box, box), 0.0);
+    ASSERT_EQ(tern::segment_box_distance_squared(pair.on_box, pair.on_box, box), 0.0);
     ASSERT_NEAR(pair.on_segment.x, a.x + pair.t * (b.x - a.x), 1e-14);
     ASSERT_NEAR(pair.on_segment.y, a.y + pair.t * (b.y - a.y), 1e-14);
     ASSERT_NEAR(pair.on_segment.z, a.z + pair.t * (b.z - a.z), 1e-14);
@@ -230,7 +231,7 @@ TEST(NearestFreeProperty, EqualsBruteForce) {
       expected = v;
     });
     Voxel got{-1, -1, -1};
-    ASSERT_EQ(tern::nearest_free_voxel(owned.grid, p, got), found);
+    ASSERT_EQ(tern_test::nearest_free_voxel(owned.grid, p, got), found);
     if (!found) continue;
     ASSERT_EQ(got.x, expected.x);
     ASSERT_EQ(got.y, expected.y);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/at_once.hpp"
 #include "support/grid_storage.hpp"
 
 namespace {
@@ -22,11 +23,11 @@ using tern_test::whole_grid;
 constexpr Box kUnit{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
 
 TEST(PointBox, FaceEdgeCornerInside) {
-  EXPECT_EQ(tern::point_box_distance_squared({0.5, 0.5, 0.5}, kUnit), 0.0);
-  EXPECT_EQ(tern::point_box_distance_squared({1.0, 0.0, 0.5}, kUnit), 0.0);
-  EXPECT_EQ(tern::point_box_distance_squared({3.0, 0.5, 0.5}, kUnit), 4.0);
-  EXPECT_EQ(tern::point_box_distance_squared({-3.0, 5.0, 0.5}, kUnit), 25.0);
-  EXPECT_EQ(tern::point_box_distance_squared({3.0, -2.0, 2.0}, kUnit), 9.0);
+  EXPECT_EQ(tern::segment_box_distance_squared({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, kUnit), 0.0);
+  EXPECT_EQ(tern::segment_box_distance_squared({1.0, 0.0, 0.5}, {1.0, 0.0, 0.5}, kUnit), 0.0);
+  EXPECT_EQ(tern::segment_box_distance_squared({3.0, 0.5, 0.5}, {3.0, 0.5, 0.5}, kUnit), 4.0);
+  EXPECT_EQ(tern::segment_box_distance_squared({-3.0, 5.0, 0.5}, {-3.0, 5.0, 0.5}, kUnit), 25.0);
+  EXPECT_EQ(tern::segment_box_distance_squared({3.0, -2.0, 2.0}, {3.0, -2.0, 2.0}, kUnit), 9.0);
 }
 
 TEST(SegmentBox, AnEndIsClosest) {
@@ -170,14 +171,14 @@ TEST(NearestFree, PrefersTheNearestThenTheLowestIndex) {
   ASSERT_EQ(owned.grid.mark_voxel({4, 4, 4}), Status::kOk);
   owned.grid.inflate();
   Voxel out{-5, -5, -5};
-  ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, {4.5, 4.5, 4.5}, out));
+  ASSERT_TRUE(tern_test::nearest_free_voxel(owned.grid, {4.5, 4.5, 4.5}, out));
   EXPECT_EQ(out.x, 4);  // six neighbours tie: the lowest z
   EXPECT_EQ(out.y, 4);
   EXPECT_EQ(out.z, 3);
-  ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, {4.9, 4.5, 4.5}, out));
+  ASSERT_TRUE(tern_test::nearest_free_voxel(owned.grid, {4.9, 4.5, 4.5}, out));
   EXPECT_EQ(out.x, 5);
   EXPECT_EQ(out.z, 4);
-  ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, {7.5, 7.5, 7.5}, out));
+  ASSERT_TRUE(tern_test::nearest_free_voxel(owned.grid, {7.5, 7.5, 7.5}, out));
   EXPECT_EQ(out.x, 7);
 }
 
@@ -186,7 +187,7 @@ TEST(NearestFree, OnAPlaneBetweenVoxelsTheLowerIsTaken) {
   owned.grid.inflate();
   Voxel out{-5, -5, -5};
   for (const Vec3 p : {Vec3{4.0, 4.5, 4.5}, Vec3{4.5, 4.0, 4.5}, Vec3{4.5, 4.5, 4.0}, Vec3{4.0, 4.0, 4.0}}) {
-    ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, p, out));
+    ASSERT_TRUE(tern_test::nearest_free_voxel(owned.grid, p, out));
     EXPECT_EQ(out.x, p.x > 4.0 ? 4 : 3);
     EXPECT_EQ(out.y, p.y > 4.0 ? 4 : 3);
     EXPECT_EQ(out.z, p.z > 4.0 ? 4 : 3);
@@ -198,20 +199,20 @@ TEST(NearestFree, SearchesTheWholeGridAndSaysWhereNothingIsFree) {
   ASSERT_EQ(owned.grid.mark_box({{0, 0, 0}, {13, 0.7, 0.5}}), Status::kOk);
   owned.grid.inflate();
   Voxel out{-5, -5, -5};
-  EXPECT_FALSE(tern::nearest_free_voxel(owned.grid, {0.0, 0.0, 0.0}, out));
+  EXPECT_FALSE(tern_test::nearest_free_voxel(owned.grid, {0.0, 0.0, 0.0}, out));
   EXPECT_EQ(out.x, -5);
   ASSERT_EQ(owned.grid.clear_voxel({129, 6, 4}), Status::kOk);
   owned.grid.inflate();
-  ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, {0.0, 0.0, 0.0}, out));
+  ASSERT_TRUE(tern_test::nearest_free_voxel(owned.grid, {0.0, 0.0, 0.0}, out));
   EXPECT_EQ(out.x, 129);
   EXPECT_EQ(out.y, 6);
   EXPECT_EQ(out.z, 4);
-  ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, {-1e300, 1e300, 7.0}, out));
+  ASSERT_TRUE(tern_test::nearest_free_voxel(owned.grid, {-1e300, 1e300, 7.0}, out));
   EXPECT_EQ(out.x, 129);
   for (const Vec3 p : {Vec3{std::nan(""), 0.0, 0.0}, Vec3{0.0, HUGE_VAL, 0.0}, Vec3{0.0, 0.0, std::nan("")}}) {
-    EXPECT_FALSE(tern::nearest_free_voxel(owned.grid, p, out));
+    EXPECT_FALSE(tern_test::nearest_free_voxel(owned.grid, p, out));
   }
-  EXPECT_FALSE(tern::nearest_free_voxel(tern::Grid(), {0.0, 0.0, 0.0}, out)) << "no storage to read";
+  EXPECT_FALSE(tern_test::nearest_free_voxel(tern::Grid(), {0.0, 0.0, 0.0}, out)) << "no storage to read";
   EXPECT_EQ(out.x, 129);
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "support/at_once.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
@@ -26,7 +27,7 @@ struct Extraction {
 
   void run(const MarkedWorld& world, const VoxelRange& range) {
     std::memset(static_cast<void*>(scratch.get()), 0xA5, sizeof *scratch);
-    count = extract_local_boxes(world.grid, range, *scratch, boxes.data());
+    count = tern_test::extract_local_boxes(world.grid, range, *scratch, boxes.data());
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include "base/math.hpp"
 #include "grid/distance.hpp"
+#include "support/at_once.hpp"
 #include "support/grid_storage.hpp"
 #include "support/owned_map.hpp"
 #include "tern/planner.hpp"
@@ -105,7 +106,7 @@ TEST(MapSnapshot, PlansOnItWhileFramesAndSlidesGoOn) {
     request.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
     const Vec3 eye = flight.eye();
     tern::Voxel free{};
-    ASSERT_TRUE(tern::nearest_free_voxel(snapshot, snapshot.to_local(eye), free));
+    ASSERT_TRUE(tern_test::nearest_free_voxel(snapshot, snapshot.to_local(eye), free));
     request.start.position = snapshot.center(free) + snapshot.spec().origin;
     request.goal.position = {eye.x + random.real(-5.0, 5.0), eye.y + random.real(-2.0, 2.0), eye.z};
     request.goal_mode = tern::GoalMode::kNearest;

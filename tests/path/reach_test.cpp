@@ -8,6 +8,7 @@
 
 #include "grid/distance.hpp"
 #include "path/reach_stage.hpp"
+#include "support/at_once.hpp"
 #include "support/walled_world.hpp"
 
 namespace tern_test {
@@ -134,7 +135,7 @@ TEST(PathReach, FindsTheNearestVoxelThatAFloodReaches) {
       const Voxel expected = reference.nearest(goal);
       ASSERT_TRUE(tern::same(stage.nearest, expected)) << "case " << k << ", " << q;
       Voxel best{};
-      ASSERT_TRUE(tern::nearest_free_voxel(world.grid, goal, best));
+      ASSERT_TRUE(tern_test::nearest_free_voxel(world.grid, goal, best));
       ++(tern::same(best, expected) ? met : apart);
     }
   }

@@ -191,13 +191,4 @@ Progress grow_advance(Growth& growth, const World& world, GrowScratch& scratch, 
   }
 }
 
-Status grow_polyhedron(const World& world, const Vec3& from, const Vec3& to, GrowScratch& scratch,
-                       Polyhedron& out) noexcept {
-  Growth growth;
-  grow_begin(growth, world, from, to);
-  Work all{0xFFFFFFFFu};
-  grow_advance(growth, world, scratch, out, all);
-  return growth.status;
-}
-
 }  // namespace tern

@@ -69,10 +69,6 @@ void grow_begin(Growth& growth, const World& world, const Vec3& from, const Vec3
 /// `out` is undefined unless kDone.
 Progress grow_advance(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
 
-/// Grows the polyhedron in one call. Returns kOk, or why it failed.
-Status grow_polyhedron(const World& world, const Vec3& from, const Vec3& to, GrowScratch& scratch,
-                       Polyhedron& out) noexcept;
-
 }  // namespace tern
 
 #endif

@@ -12,7 +12,7 @@
 
 namespace tern {
 
-/// Scratch and high-water marks of grow_polyhedron. The marks hold for all calls: reset them before the first.
+/// Scratch and high-water marks of growing polyhedra. The marks hold for all calls: reset them before the first.
 struct GrowScratch {
   std::int32_t planes_high;  ///< half-spaces of the fullest polyhedron
   std::int32_t boxes_high;   ///< boxes in the fullest local box

@@ -14,7 +14,7 @@ namespace tern {
 /// Adds the half-spaces of the world's walls and solids to a polyhedron in `box`; `out` already has the faces of the
 /// box. Walls are added as they are, except those that contain the whole box. A solid gets one half-space, unless one
 /// in `out` already cuts it off by the clearance. kOk, kCorridorBlocked if the segment itself breaks a wall or a solid,
-/// kPlanesFull or kBudgetCorridor.
+/// or kPlanesFull.
 Status append_solid_planes(const World& world, const Box& box, const SegmentMargin& segment, GrowScratch& scratch,
                            Polyhedron& out) noexcept;
 

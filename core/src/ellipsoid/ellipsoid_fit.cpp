@@ -164,13 +164,4 @@ Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t
   return Progress::kDone;
 }
 
-EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
-                             std::int32_t* inside) noexcept {
-  EllipsoidFit fit;
-  fit_begin(fit, from, to, cell);
-  Work all{0xFFFFFFFFu};
-  fit_advance(fit, obstacles, inside, all);
-  return fit.frame;
-}
-
 }  // namespace tern

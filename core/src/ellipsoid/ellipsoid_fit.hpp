@@ -64,10 +64,6 @@ constexpr int kFitScreens = 256;
 constexpr int kFitContacts = 16;
 Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept;
 
-/// Fits the ellipsoid in one call.
-EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
-                             std::int32_t* inside) noexcept;
-
 /// The ellipsoid with every semi-axis raised to at least `share` of the first. If a segment grazes an obstacle, its
 /// ellipsoid is a needle. The tangents of a needle are all nearly parallel, and they cut away free space.
 EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noexcept;

@@ -100,11 +100,6 @@ Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept {
           clamp(p.z, box.lower.z, box.upper.z)};
 }
 
-double point_box_distance_squared(const Vec3& p, const Box& box) noexcept {
-  const Vec3 apart = p - nearest_in_box(p, box);
-  return dot(apart, apart);
-}
-
 ClosestPair segment_box_closest(const Vec3& a, const Vec3& b, const Box& box) noexcept {
   const Vec3 along = b - a;
   ClosestPair pair;

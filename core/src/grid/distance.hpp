@@ -36,9 +36,6 @@ constexpr double kLocalUlps = 4.0;
 /// The point of a closed box nearest to p; p itself if it is inside.
 Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept;
 
-/// Squared distance from p to the closed box, 0 inside.
-double point_box_distance_squared(const Vec3& p, const Box& box) noexcept;
-
 /// Where a segment and a box are nearest to each other. If many pairs are equally near, this is the one nearest to the
 /// segment's beginning.
 struct ClosestPair {
@@ -84,9 +81,6 @@ struct NearestFree {
 /// the layer at most once. kDone: `found` says whether any voxel is free, and `voxel` is the nearest.
 void nearest_begin(NearestFree& nearest, const Grid& grid, const Vec3& local) noexcept;
 Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noexcept;
-
-/// Does the whole search at once. False, with `out` unchanged, if no voxel is free.
-bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept;
 
 }  // namespace tern
 

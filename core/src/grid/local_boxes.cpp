@@ -278,10 +278,4 @@ Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* bo
   return Progress::kDone;
 }
 
-int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept {
-  Work all{0xFFFFFFFFu};
-  extract_begin(range, scratch);
-  return extract_advance(grid, scratch, boxes, all) == Progress::kDone ? scratch.count : -1;
-}
-
 }  // namespace tern

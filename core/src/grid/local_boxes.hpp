@@ -71,9 +71,6 @@ VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept;
 void extract_begin(const VoxelRange& range, ExtractScratch& scratch) noexcept;
 Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) noexcept;
 
-/// Does the whole extraction at once. Returns the number of boxes, or -1 if there are more than kMaxLocalBoxes.
-int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept;
-
 }  // namespace tern
 
 #endif

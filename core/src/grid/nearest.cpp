@@ -111,13 +111,4 @@ Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noe
   return Progress::kDone;
 }
 
-bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept {
-  NearestFree nearest;
-  Work all{0xFFFFFFFFu};
-  nearest_begin(nearest, grid, local);
-  nearest_advance(nearest, grid, all);
-  if (nearest.found) out = nearest.voxel;
-  return nearest.found;
-}
-
 }  // namespace tern

@@ -68,11 +68,6 @@ struct Frame {
   int parts_of_view() const noexcept { return view_count > 1 ? 2 : 1; }
 };
 
-/// The slide that is being made: voxel v of the new window is voxel v + by of the old one.
-struct Slide {
-  Voxel by;
-};
-
 class MapState {
  public:
   MapSpec spec;
@@ -100,8 +95,8 @@ class MapState {
   Work slice;          ///< what step() was given; a debt between two calls
   std::int64_t piece;  ///< the next piece of the task
   Frame frame;
-  Slide slide;
-  Grid* copy;  ///< the caller's, for a snapshot
+  Voxel slide_by;  ///< of the slide that is being made: voxel v of the new window is voxel v + slide_by of the old one
+  Grid* copy;      ///< the caller's, for a snapshot
 
   std::int32_t row_words() const noexcept { return (spec.dims.x + 63) / 64; }
   std::int32_t layers() const noexcept { return (spec.dims.z + kBrick - 1) / kBrick; }

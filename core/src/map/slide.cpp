@@ -121,7 +121,7 @@ Status RollingMap::follow(const Vec3& center) noexcept {
     axis(by, a) = shift_for(cells, axis(spec.dims, a), spec.slack, a == 0);
   }
   if (by.x == 0 && by.y == 0 && by.z == 0) return Status::kOk;
-  state.slide.by = by;
+  state.slide_by = by;
   GridWords(state.route).begin_shift();
   GridWords(state.safe).begin_shift();
   state.begin(Task::kSlide);
@@ -139,7 +139,7 @@ void MapState::move_plane(std::int32_t z, const VoxelBox& kept) noexcept {
                           {safe_words.obstacles(), 0, *this, kept},
                           {route_words.blocked(), blocked, *this, kept},
                           {safe_words.blocked(), blocked, *this, kept}};
-  for (const Layer& layer : layers) layer.move_plane(z, slide.by);
+  for (const Layer& layer : layers) layer.move_plane(z, slide_by);
 }
 
 void MapState::renew_row(std::int32_t y, std::int32_t z) noexcept {
@@ -154,26 +154,26 @@ void MapState::renew_row(std::int32_t y, std::int32_t z) noexcept {
 
 void MapState::slide_plane(std::int32_t index, Work& work) noexcept {
   const Voxel dims = spec.dims;
-  const VoxelBox kept = kept_box(slide.by, dims);
-  const std::int32_t z = slide.by.z >= 0 ? index : dims.z - 1 - index;
+  const VoxelBox kept = kept_box(slide_by, dims);
+  const std::int32_t z = slide_by.z >= 0 ? index : dims.z - 1 - index;
   if (index == 0) move_origin();
   move_plane(z, kept);
-  work.spend(moved_operations(slide.by.x == 0));
+  work.spend(moved_operations(slide_by.x == 0));
   mark_prior(z, kept, work);
-  const bool whole = slide.by.x != 0 || Stale(slide.by.z, kept.z, dims.z).contains(z);
-  const Stale stale(whole ? 1 : slide.by.y, whole ? IndexRange{0, 0} : kept.y, dims.y);
+  const bool whole = slide_by.x != 0 || Stale(slide_by.z, kept.z, dims.z).contains(z);
+  const Stale stale(whole ? 1 : slide_by.y, whole ? IndexRange{0, 0} : kept.y, dims.y);
   for (std::int32_t y = stale.first.begin; y < stale.first.end; ++y) renew_row(y, z);
   for (std::int32_t y = stale.last.begin; y < stale.last.end; ++y) renew_row(y, z);
   const int renewed = (stale.first.end - stale.first.begin) + (stale.last.end - stale.last.begin);
   work.spend(renewed_operations() * renewed);
   if (index + 1 < dims.z) return;
-  GridWords(route).end_shift(slide.by);
-  GridWords(safe).end_shift(slide.by);
+  GridWords(route).end_shift(slide_by);
+  GridWords(safe).end_shift(slide_by);
 }
 
 void MapState::move_origin() noexcept {
   added = {{0, spec.dims.x}, {0, spec.dims.y}, {0, spec.dims.z}};
-  base = {base.x + slide.by.x, base.y + slide.by.y, base.z + slide.by.z};
+  base = {base.x + slide_by.x, base.y + slide_by.y, base.z + slide_by.z};
   GridWords(route).move_to(window_origin());
   GridWords(safe).move_to(window_origin());
 }

@@ -96,29 +96,6 @@ void make_box(const QpGroup& group, const QpUnitPlanes& planes, QpScreen& screen
   }
 }
 
-void copy_box(const QpScreen& from, QpScreen& to) {
-  for (int a = 0; a < kQpAxes; ++a) {
-    pair(to.low[a]) = pair(from.low[a]);
-    pair(to.high[a]) = pair(from.high[a]);
-  }
-}
-
-bool same_planes(const QpGroup& a, const QpGroup& b) {
-  return a.plane_begin == b.plane_begin && a.plane_end == b.plane_end;
-}
-
-/// Makes the boxes of all groups. A group often has the planes of the group before, and then the same box: limits are
-/// the same planes for many groups in a row.
-void make_boxes(const QpProblem& problem, QpSolver& solver) {
-  for (int g = 0; g < problem.group_count; ++g) {
-    if (g > 0 && same_planes(problem.groups[g - 1], problem.groups[g])) {
-      copy_box(solver.screens[g - 1], solver.screens[g]);
-    } else {
-      make_box(problem.groups[g], solver.planes, solver.screens[g]);
-    }
-  }
-}
-
 void find_obliques(const QpProblem& problem, QpSolver& solver) {
   for (int g = 0; g < problem.group_count; ++g) {
     const QpGroup& group = problem.groups[g];
@@ -173,7 +150,7 @@ bool prepare_offsets(const QpProblem& problem, QpSolver& solver) {
     numbers[0] += 0.0 * problem.planes[p].offset;
   }
   contradict_zeros(problem, solver);
-  make_boxes(problem, solver);
+  for (int g = 0; g < problem.group_count; ++g) make_box(problem.groups[g], solver.planes, solver.screens[g]);
   return finite(sum(numbers));
 }
 
