@@ -16,7 +16,7 @@ namespace {
 using tern_board::print;
 using tern_test::Random;
 
-constexpr int kMaxBlocks = 96;
+constexpr int kMaxStrips = 96;
 constexpr int kFirstBlocks = 30;
 constexpr int kParents = 4;
 constexpr int kFirstWorlds = 16;
@@ -36,7 +36,7 @@ struct Cuboid {
 /// A scenario in tenths of a metre.
 struct World {
   int count;
-  Cuboid blocks[kMaxBlocks];
+  Cuboid blocks[kMaxStrips];
   Triple start;
   Triple goal;
   int resolution;  // 1 or 2
@@ -47,7 +47,7 @@ struct World {
 TERN_BOARD_LARGE tern::Workspace workspace;
 TERN_BOARD_LARGE std::uint64_t words[2 * 1024 * 1024 / 64];
 tern::Trajectory trajectory;
-tern::Box boxes[kMaxBlocks];
+tern::Box boxes[kMaxStrips];
 World parents[kParents];
 
 tern::Vec3 metres(const Triple& t) {
@@ -101,7 +101,7 @@ void mutate(Random& random, World& world) {
   if (kind == 1) world.goal = random_point(random);
   if (kind == 2) world.radius = random.integer(0, 4);
   if (kind == 3) world.resolution = random.integer(1, 2);
-  if (kind >= 4 && kind < 10 && world.count < kMaxBlocks) world.blocks[world.count++] = random_cuboid(random);
+  if (kind >= 4 && kind < 10 && world.count < kMaxStrips) world.blocks[world.count++] = random_cuboid(random);
   if (kind >= 10 && kind < 12 && world.count > 0) world.blocks[block] = world.blocks[--world.count];
   if (kind >= 12 && kind < 17 && world.count > 0) shift(random, world.blocks[block]);
   if (kind >= 17 && world.count > 0) world.blocks[block] = random_cuboid(random);

@@ -73,7 +73,7 @@ void random_scenario(int index, Scenario& out) {
   out.boundary = {{0.0, 0.0, 0.0}, {tenths(nx), tenths(ny), tenths(nz)}};
   out.resolution = random.chance(0.5) ? 0.1 : 0.2;
   out.radius = random.integer(0, 30) / 100.0;
-  out.block_count = random.integer(0, kMaxBlocks);
+  out.block_count = random.integer(0, kMaxStrips);
   for (int b = 0; b < out.block_count; ++b) out.blocks[b] = random_block(random, nx, ny, nz);
   const double v = random.integer(5, 40) / 10.0;
   const double a = random.integer(5, 40) / 10.0;

@@ -13,7 +13,7 @@
 
 namespace tern_golden {
 
-constexpr int kMaxBlocks = 32;
+constexpr int kMaxStrips = 32;
 constexpr int kMapCount = 6;
 constexpr int kRandomCount = 240;
 constexpr int kUnevenCount = 40;  ///< random ones with different limits up and down, and on the horizontal norm
@@ -25,7 +25,7 @@ struct Scenario {
   double resolution;
   double radius;
   int block_count;
-  tern::Box blocks[kMaxBlocks];
+  tern::Box blocks[kMaxStrips];
   tern::Request request;
 };
 

@@ -180,7 +180,7 @@ TEST(Scenario, LinesBlocksAndFilesAreBounded) {
   EXPECT_EQ(error_of(kMinimal + "#" + std::string(tern_host::kMaxLineBytes, 'x')),
             "map.txt:4: the line is longer than 4096 bytes");
   std::string many = kMinimal;
-  for (std::size_t i = 0; i <= tern_host::kMaxBlocks; ++i) many += "block 0 0 0 1 1 1\n";
+  for (std::size_t i = 0; i <= tern_host::kMaxStrips; ++i) many += "block 0 0 0 1 1 1\n";
   EXPECT_EQ(error_of(many), "map.txt:200004: more than 200000 blocks");
   EXPECT_EQ(error_of(std::string(tern_host::kMaxTextBytes + 1, '\n')), "map.txt: larger than 67108864 bytes");
 }

@@ -28,7 +28,7 @@ void mark(OwnedGrid& owned, const tern::Voxel& lower, const tern::Voxel& upper) 
 }
 
 /// The planes from 1 on that are marked in word k of the window.
-std::vector<int> marked_planes(PlaneSteps& steps, const tern::BlockWindow& window, int k, int planes) {
+std::vector<int> marked_planes(PlaneSteps& steps, const tern::StripWindow& window, int k, int planes) {
   std::vector<int> marked;
   steps.begin(window, 0);
   for (int z = 1; z < planes; ++z) {

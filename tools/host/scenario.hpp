@@ -18,7 +18,7 @@
 
 namespace tern_host {
 
-constexpr std::size_t kMaxBlocks = 200000;
+constexpr std::size_t kMaxStrips = 200000;
 
 /// What is wrong with a scenario and where.
 using ScenarioError = RecordError;

@@ -182,8 +182,8 @@ void ScenarioBuilder::check_yaw() const {
 void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Place& place) {
   const bool keepout = words.front() == "keepout";
   const tern::Box box = keepout ? box_of(numbers(words, place), words.front(), place) : block_box(words, place);
-  if (scenario_.blocks.size() == kMaxBlocks) {
-    throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
+  if (scenario_.blocks.size() == kMaxStrips) {
+    throw ScenarioError(place, "more than " + std::to_string(kMaxStrips) + " blocks");
   }
   scenario_.blocks.push_back({box, keepout});
   boxes_.push_back({keepout ? "keepout" : "block", box, place.line});

@@ -7,7 +7,6 @@
 #include "search/neighbourhood.hpp"
 
 namespace tern {
-
 namespace {
 
 Voxel beside(const Voxel& block, int side) {

@@ -8,7 +8,6 @@
 #include "search/turn_writer.hpp"
 
 namespace tern {
-
 namespace {
 
 constexpr int kGuidedBucketBits = 6;

@@ -15,7 +15,7 @@
 
 namespace tern {
 
-// The table behind prune.hpp, made at compile time. For every arrival, it has the natural moves and the moves that an
+// The table behind these rules, made at compile time. For every arrival, it has the natural moves and the moves that an
 // obstacle may force. For each of the latter, it has the cells that prune the move if they are free.
 
 namespace prune {

@@ -10,7 +10,6 @@
 #include "search/turn_writer.hpp"
 
 namespace tern {
-
 namespace {
 
 /// While the search makes progress, it goes on step by step, for up to this many times its least number of steps.
