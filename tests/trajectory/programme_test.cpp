@@ -190,7 +190,7 @@ TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurations) {
     EXPECT_EQ(other->points[i].first, c->problem.points[i].first);
     EXPECT_EQ(scale->origin[i].segment, c->scale.origin[i].segment);
     EXPECT_EQ(scale->origin[i].order, c->scale.origin[i].order);
-    EXPECT_EQ(scale->origin[i].row, c->scale.origin[i].row);
+    EXPECT_EQ(scale->origin[i].index, c->scale.origin[i].index);
   }
   for (int i = 0; i < other->plane_count; ++i) EXPECT_EQ(other->planes[i].normal.x, c->problem.planes[i].normal.x);
 }
