@@ -19,8 +19,9 @@ int main() {
   using tern::Layout;
   print("`path`, `vias`, `corridor`, `trajectory`",
         sizeof Layout::path + sizeof Layout::vias + sizeof Layout::corridor + sizeof Layout::trajectory);
-  print("`plan`, `ends`, `stops`, `previous`",
-        sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::stops + sizeof Layout::previous);
+  print("`calls`, `pipeline`, `ends`, `stops`, `previous`", sizeof Layout::calls + sizeof Layout::pipeline +
+                                                                sizeof Layout::ends + sizeof Layout::stops +
+                                                                sizeof Layout::previous);
   print("`asked`, `world`", sizeof Layout::asked + sizeof Layout::world);
   print("`stage.search`", sizeof Layout::stage.search);
   print("`stage.reach`", sizeof Layout::stage.reach);
