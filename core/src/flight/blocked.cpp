@@ -76,10 +76,6 @@ Blockage block_at(const RollingMap& map, const Voxel& voxel) noexcept {
   return {is_seen ? BlockedBy::kObstacle : BlockedBy::kUnseen, safe.spec().origin + safe.center(voxel), kNoFence};
 }
 
-void Blockage::clear() noexcept {
-  *this = kNoBlockage;
-}
-
 double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid& grid, Work& work) noexcept {
   if (!grid.bound()) return kAnywhere;
   const GridSpec& window = grid.spec();
@@ -93,7 +89,7 @@ double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid&
 void Blockage::note_unproven(const RollingMap& map, const Draft& draft) noexcept {
   const ProofReport& found = draft.proof.report();
   const Vec3 place = evaluate(draft.plan.planned, found.until).position;
-  clear();
+  *this = kNoBlockage;
   if (found.finding == Finding::kObstacle) *this = block_at(map, found.voxel);
   if (found.finding == Finding::kOutside) *this = {BlockedBy::kWindow, place, kNoFence};
   if (found.finding == Finding::kFence) *this = {BlockedBy::kFence, place, found.fence};
@@ -120,7 +116,7 @@ void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Rep
   const Grid& safe = flight.map.safe();
   if (!safe.bound()) return;
   if (is_voxel() && safe.obstacle(safe.voxel_of(safe.to_local(at)))) return;
-  clear();
+  *this = kNoBlockage;
   if (found.status == Status::kGoalFenced) *this = {BlockedBy::kFence, aim.place, found.fence};
   if (found.status == Status::kViaFenced) *this = {BlockedBy::kFence, aim.asked[found.via].position, found.fence};
   if (found.status == Status::kGoalOccupied) note_near(flight.map, aim.place, safe, work);

@@ -34,7 +34,6 @@ struct Blockage {
   std::int32_t fence;  ///< its index for kFence, otherwise kNoFence
 
   bool is_voxel() const noexcept { return by == BlockedBy::kObstacle || by == BlockedBy::kUnseen; }
-  void clear() noexcept;
   /// Notes the solid voxel of the safe or route grid that is too near to a place. Returns its distance, or more than
   /// the radius if there is none; kAnywhere while the map slides, because nothing is known of it then.
   double note_near(const RollingMap& map, const Vec3& place, const Grid& grid, Work& work) noexcept;

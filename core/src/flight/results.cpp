@@ -217,7 +217,7 @@ void FlightState::try_anew() noexcept {
   facts.itinerary.try_anew();
   search.try_anew();
   cycle.forget_cut_off();
-  block.clear();
+  block = kNoBlockage;
 }
 
 }  // namespace tern
