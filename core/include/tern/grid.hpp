@@ -168,7 +168,7 @@ class Grid {
 
  private:
   friend struct GridAccess;  // reads what else the core needs
-  friend class GridWords;  // writes for the rolling map
+  friend class GridWords;    // writes for the rolling map
 
   /// Words of the storage's header that are in use.
   enum Header : int { kTag, kBinding, kRevision, kInflated, kContent };

@@ -106,7 +106,8 @@ enum class Status : uint8_t {
   kSegmentsFull = 53,    ///< TERN_MAX_SEGMENTS: the path needs more segments
   kPlanesFull = 54,      ///< TERN_MAX_PLANES: a polyhedron needs more half-spaces
   kObstaclesFull = 55,   ///< TERN_MAX_LOCAL_BOXES: there are too many obstacles around a segment
-  /// TERN_MAX_ACTIVE: too many constraints are active at once. Only as Report::optimiser; the plan falls back to stop-and-go.
+  /// TERN_MAX_ACTIVE: too many constraints are active at once. Only as Report::optimiser; the plan falls back to
+  /// stop-and-go.
   kWorkingSetFull = 56,
   /// TERN_MAX_QP_ITERATIONS: a quadratic programme takes longer. Only as Report::optimiser; the plan falls back to
   /// stop-and-go.

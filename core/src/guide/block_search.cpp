@@ -3,8 +3,8 @@
 #include "guide/block_search.hpp"
 
 #include "base/capacity.hpp"
-#include "search/node_store.hpp"
 #include "search/neighbourhood.hpp"
+#include "search/node_store.hpp"
 
 namespace tern {
 namespace {
