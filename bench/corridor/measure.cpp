@@ -56,7 +56,6 @@ bool measure_segment(const Map& map, const Vec3& from, const Vec3& to, GrowScrat
     return false;
   }
   samples.microseconds.push_back(least);
-  samples.planes_made.push_back(all_planes(out));
   samples.planes.push_back(out.count);
   samples.unsafe += unsafe_volume(map, out);
   return true;

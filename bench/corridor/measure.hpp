@@ -13,10 +13,10 @@ namespace tern_bench {
 
 /// One figure a segment each; lengths in metres, volumes in cubic metres.
 struct Samples {
-  std::vector<double> microseconds, planes_made, planes;  ///< of all segments
-  std::vector<double> volume, line_volume;                ///< of `segment` records, of the legs of `polyline` records
-  std::vector<double> paper_volume, paper_line_volume;    ///< the same by the paper's method
-  std::vector<double> voxels, voxels_without;             ///< surface voxels in the local box, in the map
+  std::vector<double> microseconds, planes;             ///< of all segments
+  std::vector<double> volume, line_volume;              ///< of `segment` records, of the legs of `polyline` records
+  std::vector<double> paper_volume, paper_line_volume;  ///< the same by the paper's method
+  std::vector<double> voxels, voxels_without;           ///< surface voxels in the local box, in the map
   std::vector<double> overlap;  ///< a joint of a polyline each: radius of the ball that both polyhedra hold
   double unsafe = 0.0;          ///< inside obstacle voxels, all polyhedra together
   int failed = 0;

@@ -46,21 +46,21 @@ void append(std::vector<double>& all, const std::vector<double>& more) {
 std::string table_header() {
   return "family      us a segment       half-spaces     volume m3 (paper's method)   least    unsafe   failed  "
          "polyhedra"
-         "\n            median p99 max     made kept (all) segments      polylines    overlap  m3               of "
+         "\n            median p99 max     median (mean)   segments      polylines    overlap  m3               of "
          "legs\n";
 }
 
 std::string table_row(const std::string& family, const Samples& s) {
   return print("%-10s %6.1f %5.1f %5.1f", family.c_str(), median(s.microseconds), quantile(s.microseconds, 0.99),
                quantile(s.microseconds, 1.0)) +
-         print("  %3.0f %3.0f (%.2f)", median(s.planes_made), median(s.planes), sum(s.planes) / sum(s.planes_made)) +
+         print("  %3.0f (%.2f)", median(s.planes), sum(s.planes) / static_cast<double>(s.planes.size())) +
          print("  %5.2f (%5.2f) %5.2f (%5.2f)", median(s.volume), median(s.paper_volume), median(s.line_volume),
                median(s.paper_line_volume)) +
          print("  %.4f  %.1e  %d   %3d of %3d\n", least(s.overlap), s.unsafe, s.failed, s.polyhedra, s.legs);
 }
 
 std::string csv_header() {
-  return "family,median_us,p99_us,max_us,planes_made,planes,all_planes_made,all_planes,segment_volume_m3,"
+  return "family,median_us,p99_us,max_us,planes,all_planes,segment_volume_m3,"
          "polyline_volume_m3,paper_segment_volume_m3,paper_polyline_volume_m3,least_overlap_m,unsafe_m3,"
          "voxels,voxels_without_box,polyhedra,legs,failed\n";
 }
@@ -69,10 +69,9 @@ std::string csv_row(const std::string& family, const Samples& s) {
   std::ostringstream row;
   row << family;
   for (const double figure :
-       {median(s.microseconds), quantile(s.microseconds, 0.99), quantile(s.microseconds, 1.0), median(s.planes_made),
-        median(s.planes), sum(s.planes_made), sum(s.planes), median(s.volume), median(s.line_volume),
-        median(s.paper_volume), median(s.paper_line_volume), least(s.overlap), s.unsafe, median(s.voxels),
-        median(s.voxels_without)}) {
+       {median(s.microseconds), quantile(s.microseconds, 0.99), quantile(s.microseconds, 1.0), median(s.planes),
+        sum(s.planes), median(s.volume), median(s.line_volume), median(s.paper_volume), median(s.paper_line_volume),
+        least(s.overlap), s.unsafe, median(s.voxels), median(s.voxels_without)}) {
     row << ',' << figure;
   }
   row << ',' << s.polyhedra << ',' << s.legs << ',' << s.failed << '\n';

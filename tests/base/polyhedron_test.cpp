@@ -7,11 +7,10 @@
 namespace tern {
 namespace {
 
-/// 0 <= x <= 4, y <= 1; a redundant half-space x <= -9 that does not count.
+/// 0 <= x <= 4, y <= 1; behind them a half-space x <= -9 that does not count.
 Polyhedron strip() {
   Polyhedron p{};
   p.count = 3;
-  p.redundant = 1;
   p.planes[0] = {{1.0, 0.0, 0.0}, 4.0};
   p.planes[1] = {{-1.0, 0.0, 0.0}, 0.0};
   p.planes[2] = {{0.0, 1.0, 0.0}, 1.0};

@@ -128,7 +128,7 @@
   FIELD(tern_beams, count) FIELD(tern_beams, min) FIELD(tern_beams, max)
 
 #define TERN_LAYOUT_CORRIDOR(FIELD)                                                                                  \
-  FIELD(tern_polyhedron, count) FIELD(tern_polyhedron, redundant) FIELD(tern_polyhedron, planes)                     \
+  FIELD(tern_polyhedron, count) FIELD(tern_polyhedron, planes)                                                       \
   FIELD(tern_polyhedron, from) FIELD(tern_polyhedron, to)
 
 /* A field's place and size, and the size of the type that it is in. */

@@ -112,7 +112,7 @@ class CorridorChain : public ::testing::Test {
       const Polyhedron& polyhedron = corridor_->polyhedra[k];
       ASSERT_NO_FATAL_FAILURE(expect_clear(polyhedron, cubes, grid.spec().radius, random_));
       ASSERT_NO_FATAL_FAILURE(expect_no_redundancy(polyhedron));
-      for (int p = 0; p < all_planes(polyhedron); ++p) {
+      for (int p = 0; p < polyhedron.count; ++p) {
         ASSERT_NEAR(norm3(polyhedron.planes[p].normal), 1.0, 1e-12);
       }
     }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Polyhedra and hulls that fences leave no room for. No plan asks for them, because its path obeys the fences.
+// Polyhedra that fences leave no room for. No plan asks for them, because its path obeys the fences.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,6 @@
 
 #include "corridor/corridor_stage.hpp"
 #include "corridor/grow.hpp"
-#include "corridor/hull_polyhedron.hpp"
 #include "support/at_once.hpp"
 #include "support/corridor_reference.hpp"
 #include "world/fences.hpp"
@@ -39,9 +38,6 @@ class CorridorFences : public ::testing::Test {
   tern::World world() const { return tern::World(world_.grid, *solids_); }
   Status grow(const Vec3& from, const Vec3& to) {
     return tern_test::grow_polyhedron(world(), from, to, *scratch_, *polyhedron_);
-  }
-  Status enclose(const std::vector<Vec3>& points) {
-    return tern::enclose_hull(world(), {points.data(), static_cast<int>(points.size())}, 0.0, *scratch_, *polyhedron_);
   }
   /// A keep-out box.
   Fence block(const Vec3& lower, const Vec3& upper) {
@@ -75,14 +71,6 @@ TEST_F(CorridorFences, ASegmentThroughAKeepOutIsBlocked) {
   EXPECT_EQ(grow({1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}), Status::kCorridorBlocked);
   EXPECT_EQ(grow({1.0, 2.0, 2.0}, {1.8, 2.0, 2.0}), Status::kCorridorBlocked) << "nearer than the radius";
   EXPECT_EQ(grow({1.0, 2.0, 2.0}, {1.7, 2.0, 2.0}), Status::kOk);
-}
-
-TEST_F(CorridorFences, SoIsAHull) {
-  const std::vector<Vec3> across{{1.0, 2.0, 2.0}, {2.0, 2.1, 2.0}, {3.0, 2.0, 2.0}};
-  const std::vector<Vec3> before{{1.0, 2.0, 2.0}, {1.5, 2.1, 2.0}, {1.7, 2.0, 2.0}};
-  load({block({1.9, 1.0, 1.0}, {2.1, 3.0, 3.0}), block({1.0, 2.5, 1.0}, {3.0, 3.0, 3.0})});
-  EXPECT_EQ(enclose(across), Status::kCorridorBlocked);
-  EXPECT_EQ(enclose(before), Status::kOk);
 }
 
 /// A keep-in like a pipe along x, of more faces than a polyhedron has: no piece of the way through it is so short that

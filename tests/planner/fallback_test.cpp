@@ -161,7 +161,6 @@ TEST_F(Fallback, AWrongCorridorChangesNoVerdict) {
   begin();
   tern::Polyhedron& polyhedron = layout().corridor.polyhedra[0];
   polyhedron.count = 1;
-  polyhedron.redundant = 0;
   polyhedron.planes[0] = {{1.0, 0.0, 0.0}, 2.8};
   ASSERT_EQ(run(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);

@@ -82,7 +82,8 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kPrevious);
   EXPECT_EQ(world_.report.optimiser, Status::kOk);
-  EXPECT_NE(world_.planner.corridor(), nullptr);
+  EXPECT_EQ(world_.planner.corridor(), nullptr);
+  EXPECT_EQ(world_.trajectory.segments[0].polyhedron, tern::kNoPolyhedron);
   for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
   expect_same_flight(0.4 * duration(first_));
   world_.request.time_weight = tern::kDefaultTimeWeight;
@@ -129,25 +130,6 @@ TEST_F(PreviousPlan, SetsTheSamePaceInSlices) {
         << i;
     EXPECT_EQ(world_.trajectory.segments[i].duration, whole.segments[i].duration) << i;
   }
-}
-
-TEST_F(PreviousPlan, IsNotReturnedToWithoutTheWorkForIt) {
-  ask_from(0.4 * duration(first_));
-  world_.request.budget.search = 0xFFFFFFFFu;
-  world_.request.time_weight = tern::kMinTimeWeight;
-  ASSERT_EQ(world_.replan(), Status::kOk);
-  ASSERT_EQ(world_.report.quality, Quality::kPrevious);
-  std::uint64_t needed = 0;
-  for (const tern::Stage stage : {tern::Stage::kCorridor, tern::Stage::kPrevious, tern::Stage::kStopFirst}) {
-    needed += world_.report.diagnostics.stages[static_cast<int>(stage)].work;
-  }
-  world_.request.budget.corridor = static_cast<std::uint32_t>(needed);
-  ASSERT_EQ(world_.replan(), Status::kOk);
-  EXPECT_EQ(world_.report.quality, Quality::kPrevious);
-  world_.request.budget.corridor =
-      static_cast<std::uint32_t>(needed - needed / 10);  // too little to enclose the rest a second time
-  ASSERT_EQ(world_.replan(), Status::kOk);
-  EXPECT_EQ(world_.report.quality, Quality::kOptimised);
 }
 
 TEST_F(PreviousPlan, LeadsNowhereElseFromRest) {

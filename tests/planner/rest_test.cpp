@@ -10,7 +10,6 @@
 #include "base/math.hpp"
 #include "planner/attempts.hpp"
 #include "planner/previous.hpp"
-#include "planner/tube.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {
@@ -71,21 +70,6 @@ TEST_F(RestBeforeAWall, IsNoReasonToFailWhereItIsBlocked) {
   EXPECT_TRUE(world_.trajectory_untouched());
 }
 
-/// The last segment would have to be halved, and there is no room for two halves: with more there might be a plan.
-TEST_F(RestBeforeAWall, IsFullWhereALastSegmentIsBlocked) {
-  EXPECT_EQ(plan_after(2.8), Status::kSegmentsFull);
-  EXPECT_EQ(world_.report.stage, Stage::kPrevious);
-  EXPECT_FALSE(world_.report.has_reachable);
-  EXPECT_TRUE(world_.trajectory_untouched());
-}
-
-/// More segments would not have helped the search.
-TEST_F(RestBeforeAWall, LeavesASpentBudgetWhereItWas) {
-  world_.request.budget.search = 0;
-  EXPECT_EQ(plan_after(2.8), Status::kBudgetSearch);
-  EXPECT_EQ(world_.report.stage, Stage::kSearch);
-}
-
 TEST_F(RestBeforeAWall, IsTriedAgainWhereItLedToTheGoal) {
   world_.to({5.0, 1.0, 1.0});
   EXPECT_EQ(plan_after(4.0), Status::kNoPath);
@@ -113,49 +97,6 @@ TEST(RestInATunnel, LeadsOutBeforeTheGoalsOwnEscape) {
   EXPECT_LE(tern::distance(tern::evaluate(world.trajectory, end).position, {5.0, 1.0, 1.0}), 1e-9);
   const tern::Segment& last = world.trajectory.segments[world.trajectory.count - 1];
   EXPECT_NEAR((last.points[7].y - last.points[6].y) * 7.0 / last.duration, 0.5, 1e-9);
-}
-
-/// Enclosing a curve past a block that its hull meets and it does not.
-class Enclosing : public testing::Test {
- protected:
-  Enclosing() : world_({40, 40, 20}, 0.1, 0.1) {
-    world_.grid.inflate();
-    tern::reset_counters(*scratch_);
-    // From (0, 0) by way of y = 2 to (2, 0): the middle is at y = 2 * (1 - 2^-6).
-    segment_.duration = 1.0;
-    for (int k = 0; k < tern::kControlPoints; ++k) segment_.points[k] = {k * 2.0 / tern::kDegree, 2.0, 0.0};
-    segment_.points[0].y = segment_.points[tern::kDegree].y = 0.0;
-  }
-  Status enclose(int capacity) {
-    tube_ = {segments_.get(), polyhedra_.get(), capacity, 0, 0.0};
-    return tern::enclose(tern::World(world_.grid), {1.0, 1.0, 1.0}, segment_, *scratch_, tube_);
-  }
-  World world_;
-  tern::Segment segment_{};
-  std::unique_ptr<tern::GrowScratch> scratch_ = std::make_unique<tern::GrowScratch>();
-  std::unique_ptr<tern::Segment[]> segments_ = std::make_unique<tern::Segment[]>(8);
-  std::unique_ptr<tern::Polyhedron[]> polyhedra_ = std::make_unique<tern::Polyhedron[]>(8);
-  tern::Tube tube_{};
-};
-
-TEST_F(Enclosing, TakesAsManyPartsAsItMust) {
-  ASSERT_EQ(enclose(1), Status::kOk);
-  EXPECT_EQ(tube_.count, 1);
-  EXPECT_EQ(segments_[0].duration, 1.0);
-  world_.block({1.9, 1.0, 0.9}, {2.1, 1.2, 1.1});  // under the arch
-  world_.grid.inflate();
-  EXPECT_EQ(enclose(1), Status::kSegmentsFull);
-  EXPECT_EQ(tube_.count, 0);
-  ASSERT_EQ(enclose(2), Status::kOk);
-  EXPECT_EQ(tube_.count, 2);
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(segments_[i].duration, 0.5);
-    EXPECT_EQ(segments_[i].polyhedron, i);
-  }
-  EXPECT_NEAR(segments_[1].points[0].y, 2.0 * (1.0 - 1.0 / 64.0), 1e-15);
-  world_.block({1.9, 2.8, 0.9}, {2.1, 3.2, 1.1});  // across it
-  world_.grid.inflate();
-  EXPECT_EQ(enclose(8), Status::kCorridorBlocked);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ double kept_by(const World& world, const std::vector<Vec3>& hull, const Polyhedr
   const double cell = world.spec.cell;
   double best = -1e9;
   std::vector<Vec3> normals = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  for (int p = 0; p < hints.count + hints.redundant; ++p) normals.push_back(hints.planes[p].normal);
+  for (int p = 0; p < hints.count; ++p) normals.push_back(hints.planes[p].normal);
   for (const Vec3& n : normals) {
     double nearest = 1e9;
     for (int corner = 0; corner < 8; ++corner) {
@@ -70,8 +70,6 @@ Polyhedron random_hints(Random& random) {
     if (length < 1e-3) continue;
     result.planes[result.count++] = {{n.x / length, n.y / length, n.z / length}, random.real(-10, 10)};
   }
-  result.redundant = result.count / 3;
-  result.count -= result.redundant;
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "corridor/corridor_stage.hpp"
-#include "corridor/hull_polyhedron.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
@@ -85,26 +84,6 @@ TEST_F(TinyCorridor, TooManyBoxesEvenInTheSmallestBox) {
   }
   EXPECT_EQ(run(world, {{0.85, 0.85, 0.85}, {0.85, 0.85, 0.85}}), Status::kObstaclesFull);
   EXPECT_EQ(stage_->boxes_high, tern::kMaxLocalBoxes);
-}
-
-TEST_F(TinyCorridor, TooManyBoxesAroundAHull) {
-  // Voxels of their own just below a hull: as many as fit, and then one more.
-  MarkedWorld world({16, 16, 16}, 0.1, 0.25);
-  int marked = 0;
-  for (int y = 1; y < 16 && marked < tern::kMaxLocalBoxes; y += 3) {
-    for (int x = 1; x < 16 && marked < tern::kMaxLocalBoxes; x += 3) {
-      world.mark(x, y, 4);
-      ++marked;
-    }
-  }
-  ASSERT_EQ(marked, tern::kMaxLocalBoxes);
-  const Vec3 points[] = {{0.3, 0.3, 0.7}, {1.3, 0.3, 0.7}, {0.3, 1.3, 0.7}, {1.3, 1.3, 0.7}};
-  const auto scratch = std::make_unique<GrowScratch>();
-  const auto polyhedron = std::make_unique<Polyhedron>();
-  tern::reset_counters(*scratch);
-  EXPECT_EQ(enclose_hull(tern::World(world.grid), {points, 4}, 0.0, *scratch, *polyhedron), Status::kCorridorBlocked);
-  world.mark(13, 13, 4);
-  EXPECT_EQ(enclose_hull(tern::World(world.grid), {points, 4}, 0.0, *scratch, *polyhedron), Status::kObstaclesFull);
 }
 
 TEST_F(TinyCorridor, TooManyPlanesShrinkTheBox) {

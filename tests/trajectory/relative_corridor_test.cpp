@@ -84,16 +84,6 @@ TEST_F(RelativeCorridor, ReservesOnlyWhereTheSegmentLeavesRoom) {
   EXPECT_NEAR(planes[3].offset, 4e-9, 5e-15);
 }
 
-TEST_F(RelativeCorridor, SetsNoRedundantHalfSpaces) {
-  add({0, 0, 0}, {1, 0, 0}, 0.5);
-  in_->polyhedra[0].count = 4;
-  in_->polyhedra[0].redundant = 2;
-  out_->polyhedra[0].redundant = 7;
-  move({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
-  EXPECT_EQ(out_->polyhedra[0].count, 4);
-  EXPECT_EQ(out_->polyhedra[0].redundant, 0);
-}
-
 TEST_F(RelativeCorridor, HoldsStartAndGoalExactlyFarFromTheOrigin) {
   Random random(71);
   for (int i = 0; i < scaled(500); ++i) {

@@ -51,10 +51,17 @@ TEST(Nearest, CylindersAreRound) {
   expect_distance_squared(nearest_of({line({2, -3, 4}, {2, 3, 4})}, {cylinder}), 5);
 }
 
-TEST(Nearest, ACurveThatEntersIsAtNoDistance) {
-  const Nearest nearest = nearest_of({line({-1, 0, 0}, {3, 0, 0})}, {{{{0, -1, -1}, {1, 1, 1}}, 0}});
-  EXPECT_EQ(nearest.least, 0);
-  EXPECT_LT(nearest.most, decimal(1, 30));
+/// From (-1, 0) to (3, 1): deepest where it is as far from the near face as from the far one.
+TEST(Nearest, ACurveThatEntersIsAsFarInsideAsTheWayOut) {
+  const Nearest nearest = nearest_of({line({-1, 0, 0}, {3, 1, 0})}, {{{{0, -1, -1}, {1, 1, 1}}, 0}});
+  EXPECT_LE(nearest.least, -Rational(1) / 2);
+  EXPECT_GE(nearest.most, -Rational(1) / 2);
+  EXPECT_LT(nearest.most - nearest.least, kClose);
+  EXPECT_LT(abs(nearest.u - Rational(3) / 8), decimal(1, 9));
+  const Solid cylinder{{{0, 0, 0}, {0, 0, 9}}, 1};
+  const Nearest round = nearest_of({line({-3, Rational(1) / 4, 4}, {3, Rational(1) / 4, 4})}, {cylinder});
+  EXPECT_LE(round.least, -Rational(3) / 4);
+  EXPECT_GE(round.most, -Rational(3) / 4);
 }
 
 TEST(Nearest, ADipThatNoSampleMeets) {
@@ -77,7 +84,7 @@ TEST(Nearest, OfPointsAlone) {
   EXPECT_EQ(nearest.solid, 1u);
   EXPECT_EQ(nearest.most, 1);
   EXPECT_LT(1 - nearest.least, decimal(1, 30));
-  EXPECT_EQ(nearest_point({{5, 0, 1}}, solids).most, 0) << "inside";
+  EXPECT_EQ(nearest_point({{5, 0, 4}}, solids).most, -1) << "inside";
 }
 
 }  // namespace

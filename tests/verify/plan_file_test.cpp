@@ -29,25 +29,23 @@ Json plan_json() {
     relative.push_back({x, 0.0, -1e-17});
     world.push_back({x + 1.1, 2.0, 2.0});
   }
-  return {
-      {"format", "tern-plan/1"},
-      {"status", "ok"},
-      {"resolution", 0.125},
-      {"robot_radius", 0.5},
-      {"tracking_margin", 0.1},
-      {"limits",
-       {{"v_max", {2.0, 2.0, 2.0}},
-        {"v_min", {-2.0, -2.0, -1.0}},
-        {"a_max", {3.0, 3.0, 3.0}},
-        {"a_min", {-3.0, -3.0, -3.0}},
-        {"a_horizontal", 4.0},
-        {"j_max", {0.0, 0.0, 9.0}}}},
-      {"start_state", state(1.1)},
-      {"goal_state", state(9.1)},
-      {"vias", {{{"position", {5.0, 2.0, 2.0}}, {"tolerance", 0.5}, {"stop", true}}}},
-      {"origin", {1.1, 2.0, 2.0}},
-      {"corridor", {{{"halfspaces", Json::array()}, {"redundant", Json::array()}}}},
-      {"segments", {{{"polyhedron", 0}, {"duration", 4.0}, {"control_points", world}, {"relative_points", relative}}}}};
+  return {{"format", "tern-plan/1"},
+          {"status", "ok"},
+          {"resolution", 0.125},
+          {"robot_radius", 0.5},
+          {"tracking_margin", 0.1},
+          {"limits",
+           {{"v_max", {2.0, 2.0, 2.0}},
+            {"v_min", {-2.0, -2.0, -1.0}},
+            {"a_max", {3.0, 3.0, 3.0}},
+            {"a_min", {-3.0, -3.0, -3.0}},
+            {"a_horizontal", 4.0},
+            {"j_max", {0.0, 0.0, 9.0}}}},
+          {"start_state", state(1.1)},
+          {"goal_state", state(9.1)},
+          {"vias", {{{"position", {5.0, 2.0, 2.0}}, {"tolerance", 0.5}, {"stop", true}}}},
+          {"origin", {1.1, 2.0, 2.0}},
+          {"segments", {{{"duration", 4.0}, {"control_points", world}, {"relative_points", relative}}}}};
 }
 
 std::string message(const std::string& text) {

@@ -21,10 +21,6 @@ constexpr const char* kFencedScenario =
     "resolution 0.125\n"
     "v_max 2\n";
 
-HalfSpace plane(int x, int y, int z, const Rational& offset) {
-  return {{x, y, z}, offset};
-}
-
 /// 8 m along x in 8.75 s: at most 35 / 16 * 8 / 8.75 = 2 m/s. Cut into halves at its middle.
 Plan straight_plan() {
   Plan plan;
@@ -34,9 +30,7 @@ Plan straight_plan() {
   for (int i = 0; i < 8; ++i) whole.push_back({i < 4 ? 0 : 8, 0, 0});
   const Halves<3> halves = halves_of(whole);
   const Rational duration = Rational(35) / 8;
-  plan.segments = {{halves.left, duration, 0}, {halves.right, duration, 0}};
-  plan.corridor = {{plane(1, 0, 0, 10), plane(-1, 0, 0, 0), plane(0, 1, 0, 4), plane(0, -1, 0, -2), plane(0, 0, 1, 4),
-                    plane(0, 0, -1, 0)}};
+  plan.segments = {{halves.left, duration}, {halves.right, duration}};
   return plan;
 }
 
@@ -59,21 +53,10 @@ TEST(Proofs, AllOfAPlanThatTouchesItsLimitsIsProven) {
   const Claims claims = prove(problem_of(), straight_plan());
   for (const Claim& claim : claims) EXPECT_EQ(claim.verdict(), Verdict::kProven) << line_of(claim);
   EXPECT_EQ(verdict_of(claims), Verdict::kProven);
-  EXPECT_EQ(claim_in(claims, "inside the corridor").least, 0);
-  EXPECT_EQ(claim_in(claims, "corridor off obstacles").least, 0);
   EXPECT_LT(abs(claim_in(claims, "curve off obstacles").least), decimal(2, 12));
   EXPECT_LT(abs(claim_in(claims, "velocity +x").most), decimal(2, 12));
   EXPECT_LE(claim_in(claims, "velocity +x").least, 0);
   EXPECT_EQ(claim_in(claims, "velocity -x").most, 2);
-}
-
-TEST(Proofs, OneControlPointOutsideItsHalfSpace) {
-  Plan plan = straight_plan();
-  Point& point = plan.segments[0].points[4];
-  point[1] = -decimal(12, 10);
-  EXPECT_EQ(claim_in(prove(problem_of(), plan), "inside the corridor").verdict(), Verdict::kProven) << "it may";
-  point[1] = -decimal(14, 10);
-  expect_refuted("inside the corridor", plan, problem_of());
 }
 
 TEST(Proofs, ACurveThatIsThreeNanometresTooNear) {
@@ -83,25 +66,24 @@ TEST(Proofs, ACurveThatIsThreeNanometresTooNear) {
   expect_refuted("start position", plan, problem_of());
 }
 
-TEST(Proofs, ACurveIntoTheWallThatItsCorridorHides) {
+TEST(Proofs, ACurveIntoTheWall) {
   Plan plan = straight_plan();
-  // All points are in the polyhedron, which is not clear of the wall.
-  plan.corridor[0][3].offset = -1;
   for (std::size_t i = 2; i < 8; ++i) plan.segments[0].points[i][1] = -Rational(1) / 2;
-  expect_refuted("corridor off obstacles", plan, problem_of());
   const Claim claim = claim_in(prove(problem_of(), plan), "curve off obstacles");
   EXPECT_EQ(claim.verdict(), Verdict::kRefuted);
   EXPECT_LT(claim.most, -Rational(2) / 5);
 }
 
-TEST(Proofs, AWallOfWhichEachHalfIsBeyondAnotherHalfSpace) {
+/// Without a radius, the curve may touch the wall, but not enter it.
+TEST(Proofs, ACurveAlongTheWallWithoutARadius) {
+  Problem problem = problem_of("block 0 0 0 10 2 4\n");
+  problem.clearance = 0;
   Plan plan = straight_plan();
-  // A wedge with its edge at (5, 2), over a wall that is as long as the map.
-  plan.corridor[0] = {plane(1, -4, 0, -3), plane(-1, -4, 0, -13)};
-  const Claim claim = claim_in(prove(problem_of("block 0 0 0 10 1 4\n"), plan), "corridor off obstacles");
-  EXPECT_EQ(claim.verdict(), Verdict::kRefuted) << "the first block is too near";
-  const Problem wall = parse_problem("boundary 0 0 0 10 4 4\nblock 0 0 0 10 1 4\nstart 1 2 2\ngoal 9 2 2\n", "wall");
-  EXPECT_EQ(claim_in(prove(wall, plan), "corridor off obstacles").verdict(), Verdict::kProven);
+  EXPECT_EQ(claim_in(prove(problem, plan), "curve off obstacles").verdict(), Verdict::kProven);
+  plan.origin[1] -= decimal(3, 9);
+  const Claim claim = claim_in(prove(problem, plan), "curve off obstacles");
+  EXPECT_EQ(claim.verdict(), Verdict::kRefuted) << line_of(claim);
+  EXPECT_LE(abs(claim.most + decimal(3, 9)), decimal(1, 12));
 }
 
 TEST(Proofs, AJointIsBrokenBeyondItsToleranceByAnything) {
@@ -236,24 +218,22 @@ TEST(Proofs, Fences) {
   expect_refuted("fence 1", straight_plan(), problem_of("keepout_halfspaces 1 1 0 6.50000001 -1 1 0 -3.49999999\n"));
 }
 
-TEST(Proofs, AKeepOutCountsAsFarAsTheRadiusAroundAKeepIn) {
-  // A prism whose edge climbs over the way. It is the radius below the way where z = 2.625.
-  const std::string prism = "keepout_halfspaces 4 1 -1 18.875 -4 1 -1 -21.125\n";
-  expect_refuted("fence 1", straight_plan(), problem_of(prism));
-  EXPECT_EQ(verdict_of(prove(problem_of(prism + "keepin 0 0 0 10 4 2.125\n"), straight_plan())), Verdict::kProven);
-  EXPECT_EQ(verdict_of(prove(problem_of(prism + "keepin_halfspaces 0 0 3 6.375\n"), straight_plan())),
-            Verdict::kProven);
-  expect_refuted("fence 1", straight_plan(), problem_of(prism + "keepin 0 0 0 10 4 2.12500001\n"));
-  const std::string slanted = prism + "keepin_halfspaces 0 -0.28 0.96 ";
-  EXPECT_EQ(verdict_of(prove(problem_of(slanted + "1.6\n"), straight_plan())), Verdict::kProven);
-  expect_refuted("fence 1", straight_plan(), problem_of(slanted + "1.60000001\n"));
+/// A prism whose edge climbs past the way: at (5, y), the edge is at z = y + 1.125 and the way at y = z = 2.
+TEST(Proofs, AnEdgeAcrossTheWay) {
+  const auto prism_at = [](const std::string& y, const std::string& x) {
+    return problem_of("keepout_halfspaces 4 1 -1 " + y + " -4 1 -1 " + x + "\n");
+  };
+  const Claim claim = claim_in(prove(prism_at("18.875", "-21.125"), straight_plan()), "fence 1");
+  const Rational room = Rational(9) / 8 * root_below(Rational(1) / 2) - Rational(1) / 2;
+  EXPECT_EQ(claim.verdict(), Verdict::kProven);
+  EXPECT_LT(abs(claim.least - room), decimal(2, 10)) << line_of(claim);
+  expect_refuted("fence 1", straight_plan(), prism_at("19.2928933", "-20.7071067"));
+  EXPECT_EQ(verdict_of(prove(prism_at("19.2928932", "-20.7071068"), straight_plan())), Verdict::kProven);
 }
 
 TEST(Proofs, AKeepOutHasAnInsideInAFlatBoundaryAndAFlatKeepIn) {
   const std::string slab = "keepout_halfspaces 1 0 0 6 -1 0 0 -5\n";
-  Plan plan = straight_plan();
-  plan.corridor[0][4].offset = 2;
-  plan.corridor[0][5].offset = -2;
+  const Plan plan = straight_plan();
   Problem problem = problem_of(slab);
   problem.clearance = 0;
   problem.boundary.lower[2] = problem.boundary.upper[2] = 2;

@@ -45,15 +45,10 @@ std::string search_lines(const PlanResult& result) {
 
 std::string corridor_line(const PlanResult& result) {
   const tern::Corridor& corridor = *result.corridor;
-  int bounding = 0;
-  int redundant = 0;
-  for (int i = 0; i < corridor.count; ++i) {
-    bounding += corridor.polyhedra[i].count;
-    redundant += corridor.polyhedra[i].redundant;
-  }
-  return "  corridor    " + std::to_string(corridor.count) + " polyhedra, " + std::to_string(bounding) +
-         " half-spaces (" + std::to_string(redundant) + " redundant ones set aside)" +
-         (result.report.diagnostics.detours != 0 ? ", along the motion first" : "") + "\n";
+  int half_spaces = 0;
+  for (int i = 0; i < corridor.count; ++i) half_spaces += corridor.polyhedra[i].count;
+  return "  corridor    " + std::to_string(corridor.count) + " polyhedra, " + std::to_string(half_spaces) +
+         " half-spaces" + (result.report.diagnostics.detours != 0 ? ", along the motion first" : "") + "\n";
 }
 
 std::string timing_line(const tern_host::Timing& timing) {

@@ -67,17 +67,10 @@ Json halfspace_json(const tern::Halfspace& plane, const Vec3& origin) {
   return {n.x, n.y, n.z, plane.offset + (n.x * origin.x + n.y * origin.y + n.z * origin.z)};
 }
 
-Json halfspaces_json(const tern::Polyhedron& polyhedron, int begin, int end, const Vec3& origin) {
-  Json planes = Json::array();
-  for (int i = begin; i < end; ++i) planes.push_back(halfspace_json(polyhedron.planes[i], origin));
-  return planes;
-}
-
 Json polyhedron_json(const tern::Polyhedron& polyhedron, const Vec3& origin) {
-  const int all = polyhedron.count + polyhedron.redundant;
-  return {{"halfspaces", halfspaces_json(polyhedron, 0, polyhedron.count, origin)},
-          {"redundant_halfspaces", polyhedron.redundant},
-          {"redundant", halfspaces_json(polyhedron, polyhedron.count, all, origin)}};
+  Json planes = Json::array();
+  for (int i = 0; i < polyhedron.count; ++i) planes.push_back(halfspace_json(polyhedron.planes[i], origin));
+  return {{"halfspaces", planes}};
 }
 
 Json corridor_json(const tern::Corridor& corridor, const Vec3& origin) {

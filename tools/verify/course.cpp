@@ -129,7 +129,7 @@ void prove_margin(const Flight& flight, Claims& claims) {
 void prove_body(const Flight& flight, const std::vector<Solid>& solids, Claims& claims) {
   const Nearest nearest = nearest_point(flight.track.real, solids);
   const Rational& said = flight.clearance;
-  require_honest(flight, "min_clearance", said <= nearest.most + kFigure, nearest.most);
+  require_honest(flight, "min_clearance", said <= std::max<Rational>(nearest.most, 0) + kFigure, nearest.most);
   const Rational& body = flight.world.setting("body_radius");
   claims.push_back({"flown: body off the world", "m", std::min(said, nearest.least) - body,
                     std::min(said, nearest.most) - body, 0, tick_place(flight, nearest.curve)});

@@ -1,9 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fences are proven by directions: a hull has as much room as any direction proves for all its points. Of a plan, each
-// segment is one hull, and the corridor may know the direction. Of a flight's commits, curves are halved, and doubles
-// guess directions.
+// Boundary and fences are proven by directions: a piece of a curve has as much room as any direction proves for all its
+// control points. Doubles only guess directions. Curves are halved.
 #include "verify/fences.hpp"
 
 #include <algorithm>
@@ -18,8 +17,13 @@ namespace {
 
 /// Halvings after which a piece counts with what is proven of it.
 constexpr int kMostCuts = 60;
+/// Metres more that a keep-out counts beyond the boundary: in a flat boundary, it would have no inside.
+constexpr int kSpare = 1;
 /// Rounds of alternating projections; where they have not converged, only a guess is worse.
 constexpr int kProjections = 100;
+
+/// A correction of the projections below this, metres, is rounding.
+constexpr double kNoPush = 1e-12;
 
 /// Over the length of a normal, rounded down.
 Rational over_length(const Rational& room, const Point& normal) {
@@ -51,76 +55,12 @@ void raise(std::optional<Rational>& best, const Rational& room) {
   if (!best || room > *best) best = room;
 }
 
-/// The directions that may part a segment from a keep-out: away from its faces, then the corridor's.
-std::vector<Point> directions_of(const Fence& fence, const std::vector<HalfSpace>& polyhedron) {
-  std::vector<Point> directions;
-  for (const HalfSpace& plane : fence.planes) directions.push_back(-1 * plane.normal);
-  for (const HalfSpace& plane : polyhedron) directions.push_back(plane.normal);
-  return directions;
-}
-
-/// The half-space cuts the box if its normal is along an axis; else false.
-bool cut_box(const HalfSpace& plane, Box& box) {
-  if (std::count(plane.normal.begin(), plane.normal.end(), Rational(0)) != 2) return false;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Rational& along = plane.normal[a];
-    if (along > 0) box.upper[a] = std::min<Rational>(box.upper[a], plane.offset / along);
-    if (along < 0) box.lower[a] = std::max<Rational>(box.lower[a], plane.offset / along);
-  }
-  return true;
-}
-
-/// What of a keep-out can be too near to a place inside the boundary and all keep-ins. It reaches a voxel beyond them
-/// at least: in a flat boundary without a radius, a keep-out would have no inside, and the way through it would touch
-/// it.
-std::vector<HalfSpace> part_that_matters(const Problem& problem, const Fence& keep_out) {
-  const Rational reach = std::max<Rational>(keep_out.distance, problem.cell);
-  Box box = problem.boundary;
-  std::vector<HalfSpace> planes = keep_out.planes;
-  for (const Fence& fence : problem.fences) {
-    if (!fence.keep_in) continue;
-    for (const HalfSpace& plane : fence.planes) {
-      if (cut_box(plane, box)) continue;
-      const Rational out = reach * root_above(dot(plane.normal, plane.normal));
-      planes.push_back({plane.normal, plane.offset + out});
-    }
-  }
-  return cut_to(box, reach, planes);
-}
-
-/// By the direction that proves most. Any that proves more than the tightest room will do.
-Rational room_before(const Fence& keep_out, const Polygon<3>& hull, const std::vector<HalfSpace>& part,
-                     const std::vector<Point>& directions, const Tightest& tightest, const Rational& tolerance) {
-  std::optional<Rational> best;
-  for (const Point& n : directions) {
-    const std::optional<Rational> least = least_along(n, part);
-    if (!least) continue;
-    raise(best, room_along(keep_out, hull, n, *least));
-    if (*best >= 0 && tightest.is_above(*best, tolerance)) break;
-  }
-  return best ? *best : Rational(-keep_out.distance - 1);
-}
-
-void prove_fence(const Subject& subject, const Fence& fence, Tightest& tightest) {
-  const Rational tolerance = subject.tolerance.fence + (fence.keep_in ? Rational(0) : subject.tolerance.point);
-  const std::vector<HalfSpace> part =
-      fence.keep_in ? std::vector<HalfSpace>() : part_that_matters(subject.problem, fence);
-  for (std::size_t s = 0; s < subject.plan.segments.size(); ++s) {
-    const std::vector<HalfSpace>& polyhedron = subject.plan.corridor[subject.plan.segments[s].polyhedron];
-    const Polygon<3> hull = subject.world_points(s);
-    const Rational room = fence.keep_in
-                              ? room_inside(fence, hull)
-                              : room_before(fence, hull, part, directions_of(fence, polyhedron), tightest, tolerance);
-    tightest.note(room, tolerance, [&] { return "segment " + std::to_string(s); });
-  }
-}
-
 /// One fence, and the room that it leaves the hull of some points.
 class Room {
  public:
   Room(const Fence& fence, const Box& boundary) : fence_(fence) {
     if (fence.keep_in) return;
-    planes_ = cut_to(boundary, fence.distance, fence.planes);
+    planes_ = cut_to(boundary, fence.distance + kSpare, fence.planes);
     for (const HalfSpace& plane : fence.planes) faces_.push_back({-1 * plane.normal, -plane.offset});
     for (const HalfSpace& plane : planes_) guesses_.push_back(unit(plane));
   }
@@ -153,7 +93,8 @@ class Room {
     return *best;
   }
 
-  /// From the middle of the hull to the nearest point of the keep-out, by Dykstra's alternating projections.
+  /// From the middle of the hull to the nearest point of the keep-out, by Dykstra's alternating projections. If that
+  /// point is on an edge, the direction is at right angles to it, exactly: a long edge would take room from any other.
   Point towards(const Polygon<3>& hull) const {
     Guess middle{0.0, 0.0, 0.0};
     for (const Point& point : hull) {
@@ -173,7 +114,18 @@ class Room {
     // Single precision is short to multiply with, and guess enough.
     Point direction;
     for (std::size_t a = 0; a < 3; ++a) direction[a] = static_cast<float>(at[a] - middle[a]);
-    return direction;
+    return across_edge(direction, pushed);
+  }
+
+  /// `pushed`: how far each plane moved the middle. Two planes meet in an edge.
+  Point across_edge(const Point& direction, const std::vector<double>& pushed) const {
+    std::vector<Point> normals;
+    for (std::size_t k = 0; k < pushed.size(); ++k) {
+      if (pushed[k] > kNoPush) normals.push_back(planes_[k].normal);
+    }
+    if (normals.size() != 2) return direction;
+    const Point edge = cross(normals[0], normals[1]);
+    return dot(edge, edge) * direction - dot(direction, edge) * edge;
   }
 
   const Fence& fence_;
@@ -228,19 +180,32 @@ class RoomSearch {
   bool begun_ = false;
 };
 
-}  // namespace
-
-void prove_fences(const Subject& subject, Claims& claims) {
-  for (std::size_t f = 0; f < subject.problem.fences.size(); ++f) {
-    Tightest tightest("fence " + std::to_string(f + 1), "m");
-    prove_fence(subject, subject.problem.fences[f], tightest);
-    claims.push_back(tightest.claim());
-  }
+Claim room_claim(const Subject& subject, const std::string& what, const Fence& fence, const Rational& tolerance) {
+  const FenceRoom room = fence_room(subject.curves(), fence, subject.problem.boundary);
+  return {what, "m", room.least, room.most, tolerance, place_of(subject.plan.segments, room.curve, room.u)};
 }
+
+}  // namespace
 
 FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary) {
   const Room room(fence, boundary);
   return RoomSearch(curves, room).run();
+}
+
+void prove_boundary(const Subject& subject, Claims& claims) {
+  Fence boundary{};
+  boundary.keep_in = true;
+  boundary.planes = cut_to(subject.problem.boundary, 0, {});
+  claims.push_back(room_claim(subject, "boundary", boundary, subject.tolerance.point));
+}
+
+void prove_fences(const Subject& subject, Claims& claims) {
+  const Tolerance& tolerance = subject.tolerance;
+  for (std::size_t f = 0; f < subject.problem.fences.size(); ++f) {
+    const Fence& fence = subject.problem.fences[f];
+    const Rational granted = fence.keep_in ? tolerance.fence : Rational(tolerance.fence + tolerance.point);
+    claims.push_back(room_claim(subject, "fence " + std::to_string(f + 1), fence, granted));
+  }
 }
 
 }  // namespace tern_verify

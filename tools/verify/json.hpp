@@ -25,13 +25,13 @@ inline Point point_of(const Json& json, std::size_t first = 0) {
   return {number_of(json.at(first)), number_of(json.at(first + 1)), number_of(json.at(first + 2))};
 }
 
-/// Duration and control points; the polyhedron is 0.
+/// Duration and control points.
 inline Segment segment_of(const Json& json) {
   constexpr std::size_t kControlPoints = 8;
   if (!json.contains("relative_points")) {
     throw InputError("a segment has no 'relative_points': write the file anew with this version's `tern`");
   }
-  Segment segment{{}, number_of(json.at("duration")), 0};
+  Segment segment{{}, number_of(json.at("duration"))};
   for (const Json& point : json.at("relative_points")) segment.points.push_back(point_of(point));
   if (segment.points.size() != kControlPoints) throw InputError("a segment has eight control points");
   if (segment.duration <= 0) throw InputError("a segment's duration is not above 0");

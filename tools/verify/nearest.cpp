@@ -35,20 +35,34 @@ struct Body {
   }
 
   double distance(const Guess& p) const {
-    const Guess way = towards(p);
-    return std::hypot(way[0], std::hypot(way[1], way[2]));
+    Guess gap;
+    for (std::size_t a = 0; a < 3; ++a) gap[a] = std::max(lower[a] - p[a], p[a] - upper[a]);
+    const double beside = std::hypot(std::max(gap[0], 0.0), std::max(gap[1], 0.0)) - radius;
+    const double horizontal = radius > 0.0 || beside > 0.0 ? beside : std::max(gap[0], gap[1]);
+    if (horizontal <= 0.0 && gap[2] <= 0.0) return std::max(horizontal, gap[2]);
+    return std::hypot(std::max(horizontal, 0.0), std::max(gap[2], 0.0));
   }
 };
+
+Rational positive(const Rational& number) {
+  return std::max<Rational>(number, 0);
+}
 
 /// A distance that is no less than that of a point from a solid, by less than 2^-118 m.
 Rational distance_above(const Point& p, const Solid& solid) {
   Point gap;
-  for (std::size_t a = 0; a < 3; ++a) {
-    gap[a] = std::max<Rational>({solid.box.lower[a] - p[a], p[a] - solid.box.upper[a], 0});
+  for (std::size_t a = 0; a < 3; ++a) gap[a] = std::max<Rational>(solid.box.lower[a] - p[a], p[a] - solid.box.upper[a]);
+  const Rational x = positive(gap[0]);
+  const Rational y = positive(gap[1]);
+  const Rational z = positive(gap[2]);
+  const Rational square = x * x + y * y;
+  if (solid.radius == 0) {
+    const Rational most = std::max<Rational>({gap[0], gap[1], gap[2]});
+    return most <= 0 ? most : root_above(square + z * z);
   }
-  if (solid.radius == 0) return root_above(dot(gap, gap));
-  const Rational beside = std::max<Rational>(0, root_above(gap[0] * gap[0] + gap[1] * gap[1]) - solid.radius);
-  return root_above(beside * beside + gap[2] * gap[2]);
+  const Rational beside = root_above(square) - solid.radius;
+  if (beside <= 0 && gap[2] <= 0) return std::max<Rational>(beside, gap[2]);
+  return root_above(positive(beside) * positive(beside) + z * z);
 }
 
 /// True where one coordinate alone shows that a solid is at least so far from all of a box.
@@ -60,10 +74,19 @@ bool apart(const Box& box, const Solid& solid, const Rational& distance) {
   return false;
 }
 
-/// A distance that no point of the hull is nearer to the solid than, from one direction of any length.
+/// A distance that no point of the hull is nearer to the solid than, from the axes.
+Rational distance_by_axes(const Box& hull, const Solid& solid) {
+  Rational most = std::max<Rational>(solid.box.lower[2] - hull.upper[2], hull.lower[2] - solid.box.upper[2]);
+  for (std::size_t a = 0; a < 2; ++a) {
+    const Rational gap = std::max<Rational>(solid.box.lower[a] - hull.upper[a], hull.lower[a] - solid.box.upper[a]);
+    most = std::max<Rational>(most, gap - solid.radius);
+  }
+  return most;
+}
+
+/// The same from one direction of any length but 0.
 Rational distance_along(const Point& direction, const Polygon<3>& hull, const Solid& solid) {
   const Rational square = dot(direction, direction);
-  if (square == 0) return 0;
   Rational reach = 0;
   for (std::size_t a = 0; a < 3; ++a)
     reach += direction[a] * (direction[a] > 0 ? solid.box.upper[a] : solid.box.lower[a]);
@@ -72,7 +95,7 @@ Rational distance_along(const Point& direction, const Polygon<3>& hull, const So
   }
   Rational least = dot(direction, hull.front());
   for (const Point& point : hull) least = std::min<Rational>(least, dot(direction, point));
-  return least > reach ? Rational((least - reach) / root_above(square)) : Rational(0);
+  return (least - reach) / (least < reach ? root_below(square) : root_above(square));
 }
 
 /// The middle of a curve in doubles.
@@ -102,7 +125,7 @@ class Search {
       curve_ = c;
       search(curves_[c], 0, 1, all, 0);
     }
-    nearest_.least = std::max<Rational>(0, std::min<Rational>(proven_, nearest_.most - close_));
+    nearest_.least = std::min<Rational>(proven_, nearest_.most - close_);
     return nearest_;
   }
 
@@ -151,7 +174,8 @@ class Search {
       Point direction{0, 0, 0};
       // Single precision is short to multiply with, and guess enough.
       for (std::size_t a = 0; a < 3 && length > 0.0; ++a) direction[a] = static_cast<float>(way[a] / length);
-      const Rational distance = distance_along(direction, piece, solid);
+      Rational distance = distance_by_axes(hull, solid);
+      if (length > 0.0) distance = std::max<Rational>(distance, distance_along(direction, piece, solid));
       if (distance >= nearest_.most - close_) continue;
       if (last) proven_ = std::min(proven_, distance);
       left.push_back(b);
@@ -161,7 +185,6 @@ class Search {
 
   void search(const Polygon<3>& piece, const Rational& u, const Rational& width, const std::vector<std::size_t>& bodies,
               int halvings) {
-    if (nearest_.most == 0) return;
     const bool last = halvings == kMostSplits;
     const std::vector<std::size_t> left = candidates(piece, bodies, last);
     if (left.empty() || last) return;
@@ -204,7 +227,7 @@ Nearest nearest_point(const std::vector<Point>& points, const std::vector<Solid>
       if (distance < nearest.most) nearest = {0, distance, p, s, 0};
     }
   }
-  nearest.least = std::max<Rational>(0, nearest.most - kRoot);
+  nearest.least = nearest.most - kRoot;
   return nearest;
 }
 

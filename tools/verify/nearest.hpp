@@ -20,15 +20,16 @@ struct Solid {
   Rational radius;
 };
 
-/// The least distance of curves from solids, in metres.
+/// The least distance of curves from solids, in metres. Inside a solid, it is minus the least way out along an axis,
+/// or along the radius of a cylinder.
 struct Nearest {
   Rational least;  ///< no point of a curve is nearer
-  Rational most;   ///< this point is no further away: inside a solid, 0
+  Rational most;   ///< this point is no further away
   std::size_t curve, solid;
   Rational u;  ///< of that point, in [0, 1]
 };
 
-/// To within 1e-12 m. There are curves and solids. Whether a curve touches a solid or enters it, the distance is 0.
+/// To within 1e-12 m. There are curves and solids.
 Nearest nearest_of(const std::vector<Polygon<3>>& curves, const std::vector<Solid>& solids);
 
 /// The same of single points; `curve` is the number of the nearest one. There are points and solids.

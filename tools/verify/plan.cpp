@@ -33,19 +33,10 @@ void check_world_points(const Json& json, const Point& origin, const Segment& se
   if (!same) throw InputError("'control_points' of a segment are not its 'origin' plus its 'relative_points'");
 }
 
-Segment segment_in(const Json& json, const Point& origin, std::size_t polyhedra) {
+Segment segment_in(const Json& json, const Point& origin) {
   Segment segment = segment_of(json);
   check_world_points(json, origin, segment);
-  segment.polyhedron = json.at("polyhedron").get<std::size_t>();
-  if (segment.polyhedron >= polyhedra) throw InputError("a segment's polyhedron is not in the corridor");
   return segment;
-}
-
-HalfSpace half_space(const Json& json) {
-  if (json.size() != 4) throw InputError("a half-space has four numbers");
-  const HalfSpace result{point_of(json), number_of(json.at(3))};
-  if (dot(result.normal, result.normal) == 0) throw InputError("a half-space has no direction");
-  return result;
 }
 
 Plan plan_of(const Json& json) {
@@ -53,15 +44,7 @@ Plan plan_of(const Json& json) {
   if (json.value("status", "") != "ok") throw InputError("it has no trajectory: its 'status' is not 'ok'");
   Plan plan;
   plan.origin = point_of(json.at("origin"));
-  for (const Json& polyhedron : json.at("corridor")) {
-    plan.corridor.emplace_back();
-    for (const char* const key : {"halfspaces", "redundant"}) {
-      for (const Json& plane : polyhedron.at(key)) plan.corridor.back().push_back(half_space(plane));
-    }
-  }
-  for (const Json& segment : json.at("segments")) {
-    plan.segments.push_back(segment_in(segment, plan.origin, plan.corridor.size()));
-  }
+  for (const Json& segment : json.at("segments")) plan.segments.push_back(segment_in(segment, plan.origin));
   if (plan.segments.empty()) throw InputError("it has no segments");
   if (json.contains("goal_missed")) plan.reachable = point_of(json.at("reachable"));
   plan.asked = asked_of(json);

@@ -17,16 +17,14 @@ namespace tern_verify {
 struct Segment {
   Polygon<3> points;  ///< relative to the plan's origin
   Rational duration;
-  std::size_t polyhedron;
 };
 
 struct Plan {
   std::string name;
   Point origin;  ///< world frame
   std::vector<Segment> segments;
-  std::vector<std::vector<HalfSpace>> corridor;  ///< polyhedra, world frame
-  std::optional<Point> reachable;                ///< where the plan ends if not at the goal
-  std::optional<Problem> asked;                  ///< what the file says that it was made for: asked_of()
+  std::optional<Point> reachable;  ///< where the plan ends if not at the goal
+  std::optional<Problem> asked;    ///< what the file says that it was made for: asked_of()
 };
 
 /// Reads a plan file ("tern-plan/1", docs/formats.md) with a trajectory. Throws InputError, also where the file's two

@@ -5,10 +5,6 @@
 namespace tern_verify {
 namespace {
 
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// What three half-spaces prove of n . p, if their multipliers are >= 0.
 std::optional<Rational> proven_by(const HalfSpace& a, const HalfSpace& b, const HalfSpace& c, const Point& n) {
   const Point bc = cross(b.normal, c.normal);
@@ -22,6 +18,10 @@ std::optional<Rational> proven_by(const HalfSpace& a, const HalfSpace& b, const 
 }
 
 }  // namespace
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 std::vector<HalfSpace> cut_to(const Box& boundary, const Rational& reach, std::vector<HalfSpace> planes) {
   for (std::size_t a = 0; a < 3; ++a) {

@@ -13,6 +13,8 @@
 
 namespace tern_verify {
 
+Point cross(const Point& a, const Point& b);
+
 /// A keep-out, cut to where it can matter: the boundary and `reach` around it.
 std::vector<HalfSpace> cut_to(const Box& boundary, const Rational& reach, std::vector<HalfSpace> planes);
 

@@ -19,8 +19,8 @@ namespace tern_verify {
 struct Subject {
   Subject(const Problem& problem, const Plan& plan);
 
-  /// Control points in the world frame.
-  Polygon<3> world_points(std::size_t segment) const;
+  /// The segments' control points in the world frame.
+  std::vector<Polygon<3>> curves() const;
 
   const Problem& problem;
   const Plan& plan;
@@ -38,15 +38,13 @@ void prove_joints(const std::vector<Segment>& segments, Claims& claims);
 void prove_ends(const Subject& subject, Claims& claims);
 /// It passes each via at a joint, in order.
 void prove_vias(const Subject& subject, Claims& claims);
-/// Control points are inside the boundary and inside the half-spaces of the segment's polyhedron.
-void prove_inside(const Subject& subject, Claims& claims);
-/// Each solid voxel lies beyond one half-space of each polyhedron by the clearance.
-void prove_corridor(const Subject& subject, Claims& claims);
-/// Control points are inside the keep-ins; keep-outs are beyond a plane by the clearance.
+/// The curve, for all t, is inside the boundary.
+void prove_boundary(const Subject& subject, Claims& claims);
+/// The curve, for all t, is inside the keep-ins, and keeps the clearance from the keep-outs.
 void prove_fences(const Subject& subject, Claims& claims);
 /// The bounds hold for all t.
 void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>& bounds, Claims& claims);
-/// The curve itself, for all t, keeps the clearance from each solid voxel: without the corridor.
+/// The curve, for all t, keeps the clearance from each solid voxel.
 void prove_clearance(const Subject& subject, Claims& claims);
 
 /// What no proof of the plan covers and its reader must know, one text each: that it ends where it says itself.

@@ -11,10 +11,13 @@ Subject::Subject(const Problem& asked, const Plan& claimed)
       solid(solid_cells(asked, lattice)),
       tolerance(tolerance_of(asked, lattice, claimed)) {}
 
-Polygon<3> Subject::world_points(std::size_t segment) const {
-  Polygon<3> points = plan.segments[segment].points;
-  for (Point& point : points) point = point + plan.origin;
-  return points;
+std::vector<Polygon<3>> Subject::curves() const {
+  std::vector<Polygon<3>> curves;
+  for (const Segment& segment : plan.segments) {
+    curves.push_back(segment.points);
+    for (Point& point : curves.back()) point = point + plan.origin;
+  }
+  return curves;
 }
 
 std::string place_of(const std::vector<Segment>& segments, std::size_t segment, const Rational& u) {
@@ -29,8 +32,7 @@ Claims prove(const Problem& problem, const Plan& plan) {
   prove_joints(plan.segments, claims);
   prove_ends(subject, claims);
   prove_vias(subject, claims);
-  prove_inside(subject, claims);
-  prove_corridor(subject, claims);
+  prove_boundary(subject, claims);
   prove_fences(subject, claims);
   prove_clearance(subject, claims);
   prove_bounds(plan.segments, problem.bounds, claims);

@@ -16,8 +16,8 @@ class Plans:
     name, families = "plans", list(FAMILIES)
     # Claims of one kind share a column.
     groups = {"joint": "joints", "start": "ends", "goal": "ends", "reachable": "ends", "via": "vias",
-              "boundary": "boundary", "inside": "inside corridor", "corridor": "corridor", "curve": "curve",
-              "fence": "fences", "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk"}
+              "boundary": "boundary", "curve": "curve", "fence": "fences",
+              "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk"}
 
     def __init__(self, tern, maps, settings):
         self.tern, self.maps, self.settings = tern, maps, settings
@@ -43,7 +43,7 @@ class Flights:
     """Flown with `tern fly`, and held against the worlds that `tern world` writes."""
     name, families = "flights", FLOWN
     groups = {"joint": "joints", "rest": "rest", "takeover": "takeovers", "goal": "goal", "curve": "curve",
-              "fence": "fences", "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk",
+              "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk",
               "flown: commands": "commands", "flown: tracking": "tracking", "flown: body": "body"}
 
     def __init__(self, tern, maps, settings):

@@ -53,7 +53,6 @@ void add_hints(tern::Polyhedron& polyhedron) {
   constexpr double kLean = 1e-3;
   const double scale = 1.0 / tern::square_root(1.0 + kLean * kLean);
   polyhedron.count = tern::kMaxPlanes;
-  polyhedron.redundant = 0;
   for (int p = 0; p < tern::kMaxPlanes; ++p) {
     const double lean = p % 3 == 0 ? kLean : -kLean;
     polyhedron.planes[p] = {scale * ((p % 2 == 0 ? 1.0 : -1.0) * along + lean * tern::Vec3{0.0, 0.0, 1.0}), 0.0};

@@ -14,12 +14,9 @@ namespace tern {
 
 /// A convex polyhedron for the robot's centre. Every point of it keeps the grid's radius from every obstacle voxel.
 struct Polyhedron {
-  /// Half-spaces that bound the polyhedron, none of them redundant. They come first in `planes`.
+  /// Half-spaces that bound the polyhedron, at most kMaxPlanes.
   int count;
-  /// Redundant half-spaces, which follow in `planes`. They do not make the polyhedron smaller. The final check needs
-  /// them: only with them is each obstacle cut off by a single half-space.
-  int redundant;
-  /// Normals of length 1. `count + redundant` of them are in use, at most kMaxPlanes.
+  /// Normals of length 1. None of the half-spaces is redundant: each cuts something off that the others leave.
   Halfspace planes[kMaxPlanes];
   /// Start of the straight line that this polyhedron was made for. Inside the polyhedron.
   Vec3 from;
@@ -28,12 +25,8 @@ struct Polyhedron {
   Vec3 to;
 };
 
-/// Number of half-spaces of a polyhedron, redundant ones included.
-inline int all_planes(const Polyhedron& polyhedron) noexcept {
-  return polyhedron.count + polyhedron.redundant;
-}
-
-/// The polyhedra in flight order. The line of polyhedron i ends where the line of polyhedron i + 1 begins.
+/// The polyhedra in flight order, along the path. The line of polyhedron i ends where the line of polyhedron i + 1
+/// begins. A stop before or behind the way has none.
 struct Corridor {
   /// 1 .. kMaxSegments.
   int count;

@@ -99,8 +99,8 @@ class Planner {
   /// (Diagnostics::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid until the
   /// next plan or route begins.
   const Path* path() const noexcept;
-  /// The corridor of the last plan: frame, lifetime and null as for path(). Segment::polyhedron is an index into it. If
-  /// the plan stops first, it begins with the polyhedra of that stop.
+  /// The corridor of the last plan, along path(): frame, lifetime and null as there. Segment::polyhedron is an index
+  /// into it, or kNoPolyhedron. An arrival or the rest of a previous plan has neither path nor corridor.
   const Corridor* corridor() const noexcept;
 
  private:

@@ -78,7 +78,8 @@ struct Budget {
   uint32_t search = 0xFFFFFFFFu;
   /// The shortcut and the detour. Beyond it: kBudgetShortcut, or no detour.
   uint32_t shortcut = 0xFFFFFFFFu;
-  /// The corridor, and all other polyhedra: of the previous plan and of stops. Beyond it: kBudgetCorridor.
+  /// The corridor, and proving that stops and the rest of a previous plan that leads on have room. Beyond it:
+  /// kBudgetCorridor.
   uint32_t corridor = 0xFFFFFFFFu;
   /// The trajectory. Beyond it, the answer is the best plan so far, or stop-and-go if there is none yet;
   /// Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.

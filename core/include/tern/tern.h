@@ -90,7 +90,8 @@ typedef struct {
   double dwell; /* s, 0 .. 3600: how long the plan rests there; only with stop */
 } tern_via;
 /* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world.
- * `begin` is when the plan begins, in nanoseconds of a clock of yours. */
+ * `polyhedron` is -1 for a segment that no corridor was made for. `begin` is when the plan begins, in nanoseconds of a
+ * clock of yours. */
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct {
   int64_t begin; int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS];

@@ -16,6 +16,9 @@ namespace tern {
 constexpr int kDegree = 7;
 constexpr int kControlPoints = kDegree + 1;
 
+/// Segment::polyhedron of a segment that is in no polyhedron.
+constexpr int kNoPolyhedron = -1;
+
 /// One Bezier segment, B_j of the paper's Section 3.4.1. At time t after its beginning the position relative to
 /// Trajectory::origin is sum_i points[i] * C(7, i) u^i (1 - u)^(7 - i), with u = t / duration.
 struct Segment {
@@ -24,7 +27,8 @@ struct Segment {
   /// Control points in flight order, metres, relative to Trajectory::origin, axes as in the world frame. The segment
   /// begins at the first one, ends at the last one, and lies in their convex hull.
   Vec3 points[kControlPoints];
-  /// Index of the polyhedron of the corridor that holds all the control points.
+  /// Index of the polyhedron of the corridor that holds all the control points; kNoPolyhedron for a stop, an arrival or
+  /// the rest of a previous plan, which no corridor was made for.
   int polyhedron;
 };
 

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The position of a point relative to a polyhedron. Only the first `count` half-spaces matter; redundant ones add
-// nothing.
+// The position of a point relative to a polyhedron.
 #ifndef TERN_BASE_POLYHEDRON_HPP
 #define TERN_BASE_POLYHEDRON_HPP
 

@@ -112,13 +112,13 @@ Progress fit(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work)
   return progress;
 }
 
-/// Puts the half-spaces into the order that a reader of the polyhedron expects.
+/// Leaves the half-spaces that bound the polyhedron.
 Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& work) {
   if (!work.left()) return Progress::kMore;
   const SegmentMargin& segment = growth.segment;
   const Vec3 inside = inner_point(out, to_vec3(growth.improvement.center), segment);
   const int made = out.count;
-  const int cuts = set_redundant_aside(out, inside, box_diagonal(out), scratch.trial.planes);
+  const int cuts = drop_redundant(out, inside, box_diagonal(out), scratch.trial.planes);
   out.from = segment.from;
   out.to = segment.to;
   work.spend(ops::kPiece * (1 + kBoxPlanes) + 16 * ops::kDot * (made + cuts));

@@ -43,28 +43,19 @@ bool is_redundant(const Planes& planes, int index, double reach, double thicknes
 
 }  // namespace
 
-int set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept {
+int drop_redundant(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept {
   const double thickness = kSliverThickness * reach;
   Planes planes;
   planes.at = scratch;
   planes.count = polyhedron.count;
-  polyhedron.redundant = 0;
   if (!move_to(inside, thickness, polyhedron, planes)) return 0;
   int kept = 0;
   int cuts = 0;
   for (int p = 0; p < planes.count; ++p) {
-    const Halfspace plane = polyhedron.planes[p];
     planes.redundant[p] = is_redundant(planes, p, reach, thickness, cuts);
-    if (planes.redundant[p]) {
-      planes.at[p] = plane;  // no later cut uses this entry, so it can store the plane
-    } else {
-      polyhedron.planes[kept++] = plane;
-    }
+    if (!planes.redundant[p]) polyhedron.planes[kept++] = polyhedron.planes[p];
   }
   polyhedron.count = kept;
-  for (int p = 0; p < planes.count; ++p) {
-    if (planes.redundant[p]) polyhedron.planes[kept + polyhedron.redundant++] = planes.at[p];
-  }
   return cuts;
 }
 

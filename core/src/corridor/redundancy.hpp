@@ -16,14 +16,13 @@ namespace tern {
 /// tolerates.
 constexpr double kSliverThickness = 1e-12;
 
-/// Moves the redundant half-spaces of a bounded polyhedron behind the others, keeps the order within both groups, and
-/// sets `count` and `redundant`. `inside` is a point of the polyhedron, and every other point of it lies within `reach`
-/// (metres) of `inside`. The first `count` half-spaces then bound the same set, to kSliverThickness * reach for each
-/// one that moved, and by the same measure none of them is redundant. If the polyhedron is so flat that `inside` is on
-/// a plane, all half-spaces stay. Each half-space's facet is a convex polygon that all others cut: at most kMaxPlanes^2
-/// cuts of polygons with kMaxPlanes + 4 corners. `scratch` has room for `count` half-spaces. Returns how many cuts it
-/// made.
-int set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept;
+/// Drops the redundant half-spaces of a bounded polyhedron; the others keep their order. `inside` is a point of the
+/// polyhedron, and every other point of it lies within `reach` (metres) of `inside`. The polyhedron stays the same, to
+/// kSliverThickness * reach for each half-space that was dropped, and by the same measure none that is left is
+/// redundant. If the polyhedron is so flat that `inside` is on a plane, all half-spaces stay. Each half-space's facet
+/// is a convex polygon that all others cut: at most kMaxPlanes^2 cuts of polygons with kMaxPlanes + 4 corners.
+/// `scratch` has room for `count` half-spaces. Returns how many cuts it made.
+int drop_redundant(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept;
 
 }  // namespace tern
 

@@ -45,9 +45,9 @@ Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& traject
 }
 
 bool complete_trajectory(const Problem& problem, const EndStop* stops, Curves& curves, ViaMemory& vias,
-                         Corridor& corridor, Trajectory& trajectory) noexcept {
-  if (!add_stops(stops[0], stops[1], corridor, trajectory)) return false;
-  if (!add_dwells(problem, stops[0].count, vias, trajectory)) return false;
+                         Trajectory& trajectory) noexcept {
+  if (!add_stops(stops[0], stops[1], trajectory)) return false;
+  if (!add_dwells(problem, vias, trajectory)) return false;
   raise(curves.segments_high, trajectory.count);
   return true;
 }

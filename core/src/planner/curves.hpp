@@ -68,9 +68,9 @@ void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves
 Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& trajectory, Work& work) noexcept;
 
 /// Adds the stops at both ends and the dwells at the vias to the trajectory. False if there is no capacity for all
-/// segments or polyhedra.
+/// segments.
 bool complete_trajectory(const Problem& problem, const EndStop* stops, Curves& curves, ViaMemory& vias,
-                         Corridor& corridor, Trajectory& trajectory) noexcept;
+                         Trajectory& trajectory) noexcept;
 
 /// The next trajectory is stop-and-go along the same corridor. `why`: kCheckFailed, or kSegmentsFull if stops and
 /// dwells leave too little room for the optimiser's segments.

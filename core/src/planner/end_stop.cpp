@@ -6,39 +6,20 @@
 #include "base/capacity.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
-#include "planner/tube.hpp"
+#include "prove/grants.hpp"
 
 namespace tern {
 namespace {
 
-void shift(int by, Corridor& corridor, Trajectory& trajectory) {
-  for (int i = corridor.count - 1; i >= 0; --i) corridor.polyhedra[i + by] = corridor.polyhedra[i];
-  for (int i = trajectory.count - 1; i >= 0; --i) {
-    trajectory.segments[i + by] = trajectory.segments[i];
-    trajectory.segments[i + by].polyhedron += by;
-  }
-  corridor.count += by;
-  trajectory.count += by;
-}
-
-/// Puts the stop's segments at index `segment_at` and its polyhedra at index `polyhedron_at`.
-void put(const EndStop& stop, int segment_at, int polyhedron_at, Corridor& corridor, Trajectory& trajectory) {
-  for (int i = 0; i < stop.count; ++i) {
-    corridor.polyhedra[polyhedron_at + i] = stop.polyhedra[i];
-    trajectory.segments[segment_at + i] = stop.segments[i];
-    trajectory.segments[segment_at + i].polyhedron += polyhedron_at;
-  }
-}
-
 /// Makes the stop of the next_choice choice. False if it breaks the limits.
-bool make_stop(const StopContext& context, const State& state, const MotionLimits& limits, EndStop& stop) {
+bool make_stop(const State& state, bool to_goal, const MotionLimits& limits, EndStop& stop) {
   const int choice = stop.next_choice++;
   Stopping& stopping = stop.stopping;
-  const bool kept = context.to_goal ? make_stopping(backwards(state), backwards(limits), choice, stopping)
-                                    : make_stopping(state, limits, choice, stopping);
+  const bool kept = to_goal ? make_stopping(backwards(state), backwards(limits), choice, stopping)
+                            : make_stopping(state, limits, choice, stopping);
   if (!kept) return false;
   stop.place = rest_of(stopping);
-  if (context.to_goal) reverse(stopping);
+  if (to_goal) reverse(stopping);
   return true;
 }
 
@@ -58,63 +39,61 @@ bool make_arrival(const State& start, const State& goal, const MotionLimits& lim
   return within_limits(segment, limits, kStopTolerance);
 }
 
-void begin_trial(EndStop& stop) {
+/// Begins the proof of the current stop or arrival. False if it has too many segments.
+bool begin_trial(const RoomProof& room, EndStop& stop) {
+  const Stopping& stopping = stop.stopping;
+  if (is_full(stopping.count > kMaxSegments)) return false;
   stop.is_tried = true;
-  stop.enclosed = stop.appended = 0;
-  append_begin(stop.enclosure, stop.stopping.segments[0]);
+  for (int i = 0; i < stopping.count; ++i) {
+    room.curve.segments[i] = stopping.segments[i];
+    room.curve.segments[i].polyhedron = kNoPolyhedron;
+  }
+  room.curve.count = stopping.count;
+  check_begin(room.stage);
+  return true;
 }
 
-/// Appends the segments of the current stop or arrival to the tube.
-Progress advance_trial(const StopContext& context, GrowScratch& scratch, EndStop& stop, Work& work) {
-  Tube tube = tube_of(stop, kStopSegments);
-  tube.count = stop.enclosed;
-  Progress progress = Progress::kDone;
-  while (progress == Progress::kDone && stop.appended < stop.stopping.count) {
-    progress = append_advance(stop.enclosure, context.world, context.origin, scratch, tube, work);
-    stop.enclosed = tube.count;
-    if (progress == Progress::kMore) return progress;
-    if (++stop.appended < stop.stopping.count) {
-      append_begin(stop.enclosure, stop.stopping.segments[stop.appended]);
-    }
-  }
+/// A stop keeps a check_distance more than the check asks for: the way goes on where it rests.
+Progress advance_trial(const RoomProof& room, EndStop& stop, Work& work) {
+  const Progress progress =
+      room_advance(room.stage, room.grid, room.curve, room.world, check_distance(room.grid), work);
+  if (progress == Progress::kMore) return progress;
   stop.is_tried = false;
-  stop.count = progress == Progress::kDone ? stop.enclosed : 0;
+  stop.count = progress == Progress::kDone ? room.curve.count : 0;
+  for (int i = 0; i < stop.count; ++i) stop.segments[i] = room.curve.segments[i];
   return progress;
 }
 
 }  // namespace
 
-Progress stop_advance(const StopContext& context, const State& state, const MotionLimits& limits, GrowScratch& scratch,
+Progress stop_advance(const RoomProof& room, const State& state, bool to_goal, const MotionLimits& limits,
                       EndStop& stop, Work& work) noexcept {
   if (!stop.is_tried) {
     if (!work.left()) return Progress::kMore;
     work.spend(kStopOperations);
-    if (!make_stop(context, state, limits, stop)) return Progress::kFailed;
-    begin_trial(stop);
+    if (!make_stop(state, to_goal, limits, stop) || !begin_trial(room, stop)) return Progress::kFailed;
   }
-  return advance_trial(context, scratch, stop, work);
+  return advance_trial(room, stop, work);
 }
 
-Progress arrive_advance(const StopContext& context, const State& start, const State& goal, const MotionLimits& limits,
-                        int choice, GrowScratch& scratch, EndStop& stop, Work& work) noexcept {
+Progress arrive_advance(const RoomProof& room, const State& start, const State& goal, const MotionLimits& limits,
+                        int choice, EndStop& stop, Work& work) noexcept {
   if (!stop.is_tried) {
     if (!work.left()) return Progress::kMore;
     work.spend(14 * ops::kCurve);
     stop.count = 0;
-    if (!make_arrival(start, goal, limits, choice, stop.stopping)) return Progress::kFailed;
-    begin_trial(stop);
+    if (!make_arrival(start, goal, limits, choice, stop.stopping) || !begin_trial(room, stop)) return Progress::kFailed;
   }
-  return advance_trial(context, scratch, stop, work);
+  return advance_trial(room, stop, work);
 }
 
-bool add_stops(const EndStop& start, const EndStop& goal, Corridor& corridor, Trajectory& trajectory) noexcept {
-  const int more = start.count + goal.count;
-  if (is_full(corridor.count + more > kMaxSegments || trajectory.count + more > kMaxSegments)) return false;
-  shift(start.count, corridor, trajectory);
-  put(start, 0, 0, corridor, trajectory);
-  put(goal, trajectory.count, corridor.count, corridor, trajectory);
-  corridor.count += goal.count;
-  trajectory.count += goal.count;
+bool add_stops(const EndStop& start, const EndStop& goal, Trajectory& trajectory) noexcept {
+  const int way = trajectory.count;
+  if (is_full(start.count + way + goal.count > kMaxSegments)) return false;
+  for (int i = way - 1; i >= 0; --i) trajectory.segments[start.count + i] = trajectory.segments[i];
+  for (int i = 0; i < start.count; ++i) trajectory.segments[i] = start.segments[i];
+  for (int i = 0; i < goal.count; ++i) trajectory.segments[start.count + way + i] = goal.segments[i];
+  trajectory.count += start.count + goal.count;
   return true;
 }
 

@@ -4,30 +4,12 @@
 
 #include "base/too_narrow.hpp"
 #include "curve/rest.hpp"
-#include "prove/grants.hpp"
 
 namespace tern {
 namespace {
 
-/// The part of check_distance by which hulls of the remainder may come closer to obstacles than touching allows. A
-/// checked plan may violate a half-space by the check's tolerance, and the half-space itself may be too near to an
-/// obstacle. So the plan's hulls may be too near by both. A factor below 1 leaves room for rounding.
-constexpr double kPreviousSlack = 0.9;
 /// A new plan replaces the remainder if it arrives earlier by more than this, seconds.
 constexpr double kEarlierBy = 1e-6;
-
-/// Appends the remainder's segments to the tube, one by one.
-Progress enclose_remainder(const Problem& problem, const Vec3& origin, Previous& previous, GrowScratch& scratch,
-                           Tube& tube, Work& work) {
-  for (; previous.next < previous.count; ++previous.next) {
-    if (!previous.is_enclosing) append_begin(previous.enclosure, previous.segments[previous.next]);
-    const Progress progress = append_advance(previous.enclosure, world_of(problem), origin, scratch, tube, work);
-    previous.is_enclosing = progress == Progress::kMore;
-    previous.enclosed = tube.count;
-    if (progress != Progress::kDone) return progress;
-  }
-  return Progress::kDone;
-}
 
 }  // namespace
 
@@ -40,44 +22,38 @@ bool follow_may_help(const Problem& problem, const Previous& previous, Status fa
   return previous.meets_goal || (!lacks_goal_voxel(failure) && !at_rest(problem.asked.start));
 }
 
-void follow_begin(Follow& follow, Previous& previous) noexcept {
+void follow_begin(const RoomProof& room, Follow& follow, Previous& previous) noexcept {
   previous.tried = true;
-  previous.is_enclosing = false;
   follow.leads_plan = false;
+  room.curve.count = previous.count;
+  for (int i = 0; i < previous.count; ++i) room.curve.segments[i] = previous.segments[i];
+  check_begin(room.stage);
 }
 
-Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow, Previous& previous,
-                        GrowScratch& scratch, EndStop& lead, Corridor& corridor, Trajectory& trajectory,
+Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& previous, EndStop& lead,
                         Work& work) noexcept {
-  const double slack = kPreviousSlack * check_distance(*problem.grid);
-  Tube tube{lead.segments, lead.polyhedra, kMaxSegments, previous.enclosed, slack};
   if (previous.meets_goal) {
-    tube.segments = trajectory.segments;
-    tube.polyhedra = corridor.polyhedra;
-  }
-  const Progress progress = enclose_remainder(problem, ends.origin_in_grid, previous, scratch, tube, work);
-  if (progress != Progress::kDone) return progress;
-  follow.leads_plan = true;
-  if (previous.meets_goal) {
-    corridor.count = trajectory.count = previous.enclosed;
-    trajectory.origin = problem.asked.start.position;
+    if (!work.left()) return Progress::kMore;
+    work.spend(ops::kCurve * previous.count);
   } else {
-    lead.count = previous.enclosed;
+    const Progress progress = room_advance(room.stage, room.grid, room.curve, room.world, 0.0, work);
+    if (progress != Progress::kDone) return progress;
+    lead.count = previous.count;
+    for (int i = 0; i < previous.count; ++i) lead.segments[i] = previous.segments[i];
     lead.place = end_of(previous);
   }
-  return progress;
+  follow.leads_plan = true;
+  return Progress::kDone;
 }
 
-void follow_note_trial(bool holds, const Trajectory& trajectory, Operations spent, Follow& follow) noexcept {
+void follow_note_trial(bool holds, const Trajectory& trajectory, Follow& follow) noexcept {
   follow.held = holds;
   follow.held_duration = duration(trajectory);
-  follow.held_operations = spent;
 }
 
-bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory,
-                       Operations left) noexcept {
+bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory) noexcept {
   const bool is_flown = follow.leads_plan && previous.meets_goal;
-  if (!follow.held || is_flown || left < follow.held_operations) return false;
+  if (!follow.held || is_flown) return false;
   return !(duration(trajectory) < follow.held_duration - kEarlierBy);
 }
 

@@ -11,22 +11,19 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
-#include "corridor/grow_scratch.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/previous.hpp"
 #include "planner/problem.hpp"
-#include "tern/corridor.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 
 namespace tern {
 
 struct Follow {
-  bool is_trial;               ///< the remainder is tried before a new plan is looked for
-  bool leads_plan;             ///< the current plan begins with the remainder
-  bool held;                   ///< the remainder was tried, and holds
-  double held_duration;        ///< of that remainder, s
-  Operations held_operations;  ///< that it takes to enclose that remainder
+  bool is_trial;         ///< the remainder is tried before a new plan is looked for
+  bool leads_plan;       ///< the current plan begins with the remainder
+  bool held;             ///< the remainder was tried, and holds
+  double held_duration;  ///< of that remainder, s
 };
 
 /// True if the remainder is to be tried before a new plan is looked for: it leads to the goal.
@@ -37,23 +34,19 @@ bool follow_trial_is_due(const Previous& previous) noexcept;
 bool follow_may_help(const Problem& problem, const Previous& previous, Status failure) noexcept;
 
 /// Begins the try of the remainder.
-void follow_begin(Follow& follow, Previous& previous) noexcept;
+void follow_begin(const RoomProof& room, Follow& follow, Previous& previous) noexcept;
 
-/// Encloses the remainder in polyhedra. The pieces of work are those of append_advance. kDone: if the remainder meets
-/// the goal, it is the whole plan, in `corridor` and `trajectory`; otherwise it is the start's stop, `lead`. kFailed:
-/// previous.enclosure.status says why.
-Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow, Previous& previous,
-                        GrowScratch& scratch, EndStop& lead, Corridor& corridor, Trajectory& trajectory,
+/// A piece of work takes a remainder that meets the goal: it is the whole plan, in room.curve, and the check will prove
+/// it. Any other is to be the start's stop, `lead`. It must have room, because the way goes on where it ends; the
+/// pieces are those of room_advance. kDone, or kFailed: it has no room.
+Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& previous, EndStop& lead,
                         Work& work) noexcept;
 
-/// Notes the result of a trial: whether the check passed the remainder, which is then in `trajectory`, and the
-/// operations that it took.
-void follow_note_trial(bool holds, const Trajectory& trajectory, Operations spent, Follow& follow) noexcept;
+/// Notes the result of a trial: whether the check passed the remainder, which is then in `trajectory`.
+void follow_note_trial(bool holds, const Trajectory& trajectory, Follow& follow) noexcept;
 
-/// True if the plan is to follow the remainder that held, because `trajectory` does not arrive earlier. `left`: the
-/// operations that are left to enclose it.
-bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory,
-                       Operations left) noexcept;
+/// True if the plan is to follow the remainder that held, because `trajectory` does not arrive earlier.
+bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory) noexcept;
 
 /// The jerk with which the plan begins.
 inline const Vec3& start_jerk(const Problem& problem, const Follow& follow, const Previous& previous) noexcept {

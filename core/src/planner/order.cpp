@@ -120,7 +120,7 @@ void Pipeline::go_on_from_trajectory(bool done) noexcept {
   quality_ = curves_.quality;
   optimiser_ = curves_.optimiser;
   if (!done) return fail(Stage::kTrajectory, curves_.status);
-  if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.corridor, memory.trajectory)) {
+  if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
     enter(Stage::kCheck);
   } else if (curves_.stop_and_go || hurries(memory.stage.trajectory.stage.chain)) {
     fail(Stage::kTrajectory, Status::kSegmentsFull);
@@ -137,31 +137,19 @@ void Pipeline::go_on_from_check(bool done) noexcept {
     const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
     return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
   }
-  const Operations left = ledger_.left(Stage::kPrevious, problem_.asked.budget);
-  if (!prefers_remainder(attempts_.follow, memory.previous, memory.trajectory, left)) {
+  if (!prefers_remainder(attempts_.follow, memory.previous, memory.trajectory)) {
     end(Stage::kCheck, Status::kOk);
     return;
   }
-  cut_previous(*problem_.grid, problem_.asked, memory.previous);
   optimiser_ = Status::kOk;
   enter(Stage::kPrevious);
 }
 
-/// A remainder that ends elsewhere than at the goal takes the place of the start's stop. If the remainder has no room,
-/// the reason for the plan's failure stays the same, unless the remainder lacked only segments.
+/// A remainder that ends elsewhere than at the goal takes the place of the start's stop. If it has no room, the reason
+/// for the plan's failure stays the same.
 void Pipeline::go_on_from_previous(bool done) noexcept {
-  const Previous& previous = memory_->previous;
-  if (!done) {
-    if (attempts_.follow.is_trial) return end_trial(false);
-    const Failure first = failure_;
-    if (previous.enclosure.status == Status::kSegmentsFull) {
-      failure_.stage = Stage::kPrevious;
-      failure_.status = Status::kSegmentsFull;
-    }
-    return fail(first.stage, first.status);
-  }
-  if (!previous.meets_goal) return enter(Stage::kStopFirst);
-  results_.path = false;
+  if (!done) return attempts_.follow.is_trial ? end_trial(false) : fail(failure_.stage, failure_.status);
+  if (!memory_->previous.meets_goal) return enter(Stage::kStopFirst);
   check_as_is(Quality::kPrevious, Attempt::kFollow);
 }
 
@@ -194,16 +182,16 @@ void Pipeline::go_on_from_nearest(bool done) noexcept {
 /// Ends the trial of the remainder. The plan begins as if nothing had been tried.
 void Pipeline::end_trial(bool holds) noexcept {
   const Layout& memory = *memory_;
-  follow_note_trial(holds, memory.trajectory, ledger_.spent(Stage::kPrevious), attempts_.follow);
+  follow_note_trial(holds, memory.trajectory, attempts_.follow);
   begin_goal();
   begin_way();
 }
 
-/// Passes the corridor and the trajectory in memory to the check.
+/// Passes the trajectory in memory to the check. It has neither path nor corridor.
 void Pipeline::check_as_is(Quality quality, Attempt attempt) noexcept {
   quality_ = quality;
   attempts_.current = attempt;
-  results_.corridor = true;
+  results_ = {};
   enter(Stage::kCheck);
 }
 

@@ -20,6 +20,15 @@ bool pace_fits(const Request& request, const Trajectory& plan, double time) {
   return request.previous == nullptr && is_trajectory(plan) && finite(time) && time >= 0.0;
 }
 
+/// What the request adds to the world, for the certifier; null for nothing.
+const AskedWorld* asked_world(const Layout& memory) {
+  return memory.world.has_solids ? &memory.asked : nullptr;
+}
+
+RoomProof room_of(const Problem& problem, Layout& memory) {
+  return {*problem.grid, asked_world(memory), memory.stage.check, memory.trajectory};
+}
+
 /// The plan that sets the pace, if the chain begins on it.
 Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory) {
   if (!problem.has_pace || curves.stop_and_go || memory.stops[0].count > 0) return {};
@@ -29,7 +38,7 @@ Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory)
 
 CheckQuery check_query(const Problem& problem, const Follow& follow, const Layout& memory) {
   const Request& asked = problem.asked;
-  CheckQuery query{asked.start, asked.goal, asked.limits, memory.world.has_solids ? &memory.asked : nullptr};
+  CheckQuery query{asked.start, asked.goal, asked.limits, asked_world(memory)};
   query.start.jerk = start_jerk(problem, follow, memory.previous);
   query.vias = problem.vias;
   query.joints = memory.vias.joint;
@@ -142,10 +151,10 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kDetour:
       return detour_begin(failure_.status, attempts_.detour);
     case Stage::kPrevious:
-      reset_counters(m.stage.corridor.grow);
-      return follow_begin(attempts_.follow, m.previous);
+      m.trajectory.origin = problem_.asked.start.position;
+      return follow_begin(room_of(problem_, m), attempts_.follow, m.previous);
     case Stage::kStopFirst:
-      reset_counters(m.stage.corridor.grow);
+      m.trajectory.origin = problem_.asked.start.position;
       return stop_first_begin(problem_, attempts_.stop_first, m.stops);
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
@@ -177,11 +186,9 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kDetour:
       return detour_advance(problem_, m.path, work);
     case Stage::kPrevious:
-      return follow_advance(problem_, m.ends, attempts_.follow, m.previous, m.stage.corridor.grow, m.stops[0],
-                            m.corridor, m.trajectory, work);
+      return follow_advance(room_of(problem_, m), attempts_.follow, m.previous, m.stops[0], work);
     case Stage::kStopFirst:
-      return stop_first_advance(problem_, attempts_.stop_first, m.stops, m.stage.corridor.grow, m.ends, m.corridor,
-                                m.trajectory, work);
+      return stop_first_advance(problem_, room_of(problem_, m), attempts_.stop_first, m.stops, m.ends, work);
     case Stage::kReach:
       return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
     case Stage::kRequest:
@@ -208,9 +215,6 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
     case Stage::kTrajectory:
       trajectory_stop(m.stage.trajectory.stage);
       return run(work);
-    case Stage::kPrevious:
-      m.previous.enclosure.status = Status::kBudgetCorridor;
-      break;
     case Stage::kReach:
       attempts_.nearest.status = Status::kBudgetSearch;
       break;
@@ -219,6 +223,7 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
     case Stage::kTimes:
     case Stage::kCheck:
     case Stage::kDetour:
+    case Stage::kPrevious:
     case Stage::kStopFirst:
       break;
   }

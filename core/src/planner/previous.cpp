@@ -72,6 +72,7 @@ Cut cut_at(const Trajectory& plan, double time) {
 void append(const JointState& from, const JointState& to, double duration, Previous& rest) {
   Segment& segment = rest.segments[rest.count++];
   segment.duration = duration;
+  segment.polyhedron = kNoPolyhedron;
   control_points(from, to, duration, segment.points);
 }
 
@@ -126,7 +127,7 @@ bool previous_fits(const Request& request) noexcept {
 }
 
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept {
-  rest.count = rest.next = rest.enclosed = 0;
+  rest.count = 0;
   rest.tried = rest.meets_goal = false;
   if (request.previous == nullptr) return;
   rest.plan = *request.previous;

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 
-#include "planner/tube.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
@@ -20,11 +19,7 @@ constexpr double kLeastRest = 1e-3;
 
 /// The rest of a plan. Plain data.
 struct Previous {
-  int count;          ///< segments; 0 if nothing is left to fly
-  int next;           ///< the first segment that has no polyhedron yet
-  int enclosed;       ///< parts of segments that have a polyhedron
-  bool is_enclosing;  ///< the next segment is being enclosed
-  SegmentEnclosure enclosure;
+  int count;  ///< segments; 0 if nothing is left to fly
   bool tried;
   bool meets_goal;                 ///< the rest ends at the goal of the current plan
   Vec3 jerk;                       ///< at its beginning, m/s^3

@@ -1,7 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corridor/corridor_stage.hpp"
-#include "corridor/hull_polyhedron.hpp"
 #include "grid/stencil.hpp"
 #include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
@@ -69,7 +68,7 @@ StageBound detour_bound(const GridSpec& spec) {
   return {1, 2 * kBrakeShapes * ops::kCurve + Operations{kDetourLines} * (2 * ops::kPiece + 4 * all_rows(spec))};
 }
 
-/// The longest piece of extracting boxes or of walls and solids, for a polyhedron around a leg or a hull.
+/// The longest piece of extracting boxes or of walls and solids, for a polyhedron around a leg.
 Operations room_piece(const GridSpec& spec) {
   const Operations layer = ops::kPiece + 2 * ops::kWord * row_words(spec) * spec.dims.y +
                            (ops::kRow + 8 * ops::kTurn * kMaxRowRuns) * spec.dims.y +
@@ -88,10 +87,9 @@ StageBound corridor_bound(const GridSpec& spec) {
   return {kCorridorTries * kBoxLevels * pieces, room_piece(spec)};
 }
 
-/// Of polyhedra around `hulls` hulls.
-StageBound hulls_bound(const GridSpec& spec, std::uint64_t hulls) {
-  return {hulls * (kMaxDimension + std::uint64_t{kMaxLocalBoxes} + kMaxSolids + 2),
-          room_piece(spec) + kStopOperations + 4 * ops::kDot * kHullTests * kMaxPlanes + kGapOperations};
+/// Of proofs that `segments` segments have room.
+StageBound room_bound(const GridSpec& spec, std::uint64_t segments) {
+  return {segments * (kProofPieces + 2), check_piece_operations(spec) + kStopOperations};
 }
 
 /// A segment may look at all pieces of the plan that sets the pace.
@@ -139,9 +137,9 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
     case Stage::kDetour:
       return detour_bound(spec);
     case Stage::kPrevious:
-      return hulls_bound(spec, 2 * 2 * kMaxSegments * (kTubeHalvings + 1));
+      return room_bound(spec, 2 * kMaxSegments);
     case Stage::kStopFirst:
-      return hulls_bound(spec, (2 * kStoppingChoices + kArrivals) * 2 * kStopSegments * (kTubeHalvings + 1));
+      return room_bound(spec, std::uint64_t{2 * kStoppingChoices + kArrivals} * kStoppingSegments);
     case Stage::kReach:
       return reach_bound(spec);
     case Stage::kRequest:

@@ -10,15 +10,14 @@ namespace tern {
 namespace {
 
 /// Tries durations of an arrival. kDone: the curve has room. It passes no vias. kFailed: no duration is left.
-Progress advance_arrivals(const Problem& problem, const Ends& ends, StopFirst& stop_first, EndStop& stop,
-                          GrowScratch& scratch, Work& work) {
-  const StopContext context{world_of(problem), ends.origin_in_grid, false};
+Progress advance_arrivals(const Problem& problem, const RoomProof& room, StopFirst& stop_first, EndStop& stop,
+                          Work& work) {
   if (problem.via_count > 0 || at_rest(problem.asked.goal) || stop_first.tries > 1 || stop.count > 0) {
     return Progress::kFailed;
   }
   for (; stop_first.arrivals < kArrivals; ++stop_first.arrivals) {
-    const Progress arrived = arrive_advance(context, asked_end(problem, 0), asked_end(problem, 1), problem.limits,
-                                            stop_first.arrivals, scratch, stop, work);
+    const Progress arrived = arrive_advance(room, asked_end(problem, 0), asked_end(problem, 1), problem.limits,
+                                            stop_first.arrivals, stop, work);
     if (arrived == Progress::kMore) return arrived;
     if (arrived == Progress::kFailed) continue;
     ++stop_first.arrivals;
@@ -27,22 +26,12 @@ Progress advance_arrivals(const Problem& problem, const Ends& ends, StopFirst& s
   return Progress::kFailed;
 }
 
-/// Makes the arrival, which is in the start's stop, the whole plan.
-void take_arrival(const Problem& problem, EndStop* stops, Corridor& corridor, Trajectory& trajectory) {
-  corridor.count = trajectory.count = 0;
-  trajectory.origin = problem.asked.start.position;
-  add_stops(stops[0], stops[1], corridor, trajectory);
-  stops[0].count = 0;
-}
-
 /// Tries stops for the end. kDone: one has room, or the end is at rest. kFailed: no stop is left to try.
-Progress advance_stops(const Problem& problem, const Ends& ends, int end, EndStop& stop, GrowScratch& scratch,
-                       Work& work) {
+Progress advance_stops(const Problem& problem, const RoomProof& room, int end, EndStop& stop, Work& work) {
   const State state = asked_end(problem, end);
-  const StopContext context{world_of(problem), ends.origin_in_grid, end == 1};
   while (!at_rest(state) && stop.count == 0) {
     if (!stop.is_tried && stop.next_choice == kStoppingChoices) return Progress::kFailed;
-    if (stop_advance(context, state, problem.limits, scratch, stop, work) == Progress::kMore) return Progress::kMore;
+    if (stop_advance(room, state, end == 1, problem.limits, stop, work) == Progress::kMore) return Progress::kMore;
   }
   return Progress::kDone;
 }
@@ -89,17 +78,17 @@ void stop_first_begin(const Problem& problem, StopFirst& stop_first, EndStop* st
   stop_first.arrived = false;
 }
 
-Progress stop_first_advance(const Problem& problem, StopFirst& stop_first, EndStop* stops, GrowScratch& scratch,
-                            Ends& ends, Corridor& corridor, Trajectory& trajectory, Work& work) noexcept {
-  const Progress arrived = advance_arrivals(problem, ends, stop_first, stops[0], scratch, work);
+Progress stop_first_advance(const Problem& problem, const RoomProof& room, StopFirst& stop_first, EndStop* stops,
+                            Ends& ends, Work& work) noexcept {
+  const Progress arrived = advance_arrivals(problem, room, stop_first, stops[0], work);
   if (arrived == Progress::kMore) return arrived;
   stop_first.arrived = arrived == Progress::kDone;
   if (stop_first.arrived) {
-    take_arrival(problem, stops, corridor, trajectory);
+    stops[0].count = 0;  // it is the whole plan
     return Progress::kDone;
   }
   for (int end = 0; end < 2; ++end) {
-    const Progress stopped = advance_stops(problem, ends, end, stops[end], scratch, work);
+    const Progress stopped = advance_stops(problem, room, end, stops[end], work);
     if (stopped != Progress::kDone) return stopped;
   }
   end_at_stops(problem, stops, ends);

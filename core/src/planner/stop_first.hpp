@@ -10,11 +10,9 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
-#include "corridor/grow_scratch.hpp"
 #include "curve/stopping.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/problem.hpp"
-#include "tern/corridor.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 
@@ -38,10 +36,9 @@ bool stop_first_may_help(const Problem& problem, const StopFirst& stop_first, St
 void stop_first_begin(const Problem& problem, StopFirst& stop_first, EndStop* stops) noexcept;
 
 /// Finds a stop for each end in motion that has none. The pieces of work are those of stop_advance. kDone: `ends` are
-/// now the places of rest, or `arrived` is set, and corridor and trajectory hold the arrival. kFailed: some end has no
-/// stop left.
-Progress stop_first_advance(const Problem& problem, StopFirst& stop_first, EndStop* stops, GrowScratch& scratch,
-                            Ends& ends, Corridor& corridor, Trajectory& trajectory, Work& work) noexcept;
+/// now the places of rest, or `arrived` is set, and room.curve is the arrival. kFailed: some end has no stop left.
+Progress stop_first_advance(const Problem& problem, const RoomProof& room, StopFirst& stop_first, EndStop* stops,
+                            Ends& ends, Work& work) noexcept;
 
 }  // namespace tern
 

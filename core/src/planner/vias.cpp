@@ -30,10 +30,11 @@ void insert_rest(Trajectory& trajectory, int joint, double duration) {
   ++trajectory.count;
 }
 
-void locate_vias(const Problem& problem, int stop_polyhedra, const Trajectory& trajectory, ViaMemory& memory) {
+/// The segments of a stop before the way come before every via: kNoPolyhedron is less than any index.
+void locate_vias(const Problem& problem, const Trajectory& trajectory, ViaMemory& memory) {
   int joint = 0;
   for (std::int32_t v = 0; v < problem.via_count; ++v) {
-    const int polyhedron = memory.marks.polyhedron[v] + stop_polyhedra;
+    const int polyhedron = memory.marks.polyhedron[v];
     while (joint < trajectory.count && trajectory.segments[joint].polyhedron < polyhedron) ++joint;
     memory.joint[v] = joint;
   }
@@ -57,8 +58,8 @@ ViaJoints make_via_joints(const Problem& problem, ViaMemory& memory) noexcept {
   return {memory.via_joints, problem.via_count};
 }
 
-bool add_dwells(const Problem& problem, int stop_polyhedra, ViaMemory& memory, Trajectory& trajectory) noexcept {
-  locate_vias(problem, stop_polyhedra, trajectory, memory);
+bool add_dwells(const Problem& problem, ViaMemory& memory, Trajectory& trajectory) noexcept {
+  locate_vias(problem, trajectory, memory);
   std::int32_t added = 0;
   for (std::int32_t v = 0; v < problem.via_count; ++v) {
     memory.joint[v] += added;

@@ -30,9 +30,9 @@ struct ViaMemory {
 /// join such a via to the grid are short, and a programme in which such a leg has free ends is too ill-conditioned.
 ViaJoints make_via_joints(const Problem& problem, ViaMemory& memory) noexcept;
 
-/// Finds the joints where the finished trajectory passes the vias, and lets it rest at those with a dwell. The first
-/// `stop_polyhedra` polyhedra are those of a stop before the way. False if one more segment does not fit.
-bool add_dwells(const Problem& problem, int stop_polyhedra, ViaMemory& memory, Trajectory& trajectory) noexcept;
+/// Finds the joints where the finished trajectory passes the vias, and lets it rest at those with a dwell. False if one
+/// more segment does not fit.
+bool add_dwells(const Problem& problem, ViaMemory& memory, Trajectory& trajectory) noexcept;
 
 /// Writes when and how near the finished trajectory passes each via; one entry a via.
 void write_passages(const Problem& problem, const ViaMemory& memory, const Trajectory& trajectory,

@@ -38,12 +38,21 @@ bool joint_holds(const Grid& grid, const Trajectory& trajectory, int index, cons
 }
 
 /// Begins the proof of the curve.
-void begin_curve(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
-                 const CheckQuery& query) {
-  stage.hints.corridor = &corridor;
+void begin_curve(CheckStage& stage, const Grid& grid, const Trajectory& trajectory, const Limits* limits,
+                 const AskedWorld* world, double spare, const Corridor* corridor) {
+  stage.hints.corridor = corridor;
   new (&stage.proof) Proof;
-  stage.proof.begin_plan(grid, trajectory, query.limits, query.world, stage.hints);
+  stage.proof.begin_plan(grid, trajectory, limits, world, spare, stage.hints);
   stage.phase = CheckPhase::kCurve;
+}
+
+/// Goes on with the proof of the curve.
+Progress prove_curve(CheckStage& stage, Work& work) {
+  if (stage.proof.step(work) == Status::kRunning) return Progress::kMore;
+  stage.phase = CheckPhase::kJoints;
+  if (stage.proof.report().finding == Finding::kNone) return Progress::kDone;
+  stage.found = stage.proof.report();
+  return conclude(Status::kCheckFailed, stage.status);
 }
 
 }  // namespace
@@ -64,16 +73,20 @@ void check_begin(CheckStage& stage) noexcept {
   stage.found = ProofReport{};
 }
 
+Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& part, const AskedWorld* world,
+                      double spare, Work& work) noexcept {
+  if (stage.phase == CheckPhase::kBegin) begin_curve(stage, grid, part, nullptr, world, spare, nullptr);
+  return prove_curve(stage, work);
+}
+
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept {
-  if (stage.phase == CheckPhase::kBegin) begin_curve(stage, grid, corridor, trajectory, query);
+  if (stage.phase == CheckPhase::kBegin) {
+    begin_curve(stage, grid, trajectory, &query.limits, query.world, 0.0, &corridor);
+  }
   if (stage.phase == CheckPhase::kCurve) {
-    if (stage.proof.step(work) == Status::kRunning) return Progress::kMore;
-    stage.phase = CheckPhase::kJoints;
-    if (stage.proof.report().finding != Finding::kNone) {
-      stage.found = stage.proof.report();
-      return conclude(Status::kCheckFailed, stage.status);
-    }
+    const Progress proven = prove_curve(stage, work);
+    if (proven != Progress::kDone) return proven;
   }
   for (; stage.next < trajectory.count; ++stage.next) {
     if (!work.left()) return Progress::kMore;

@@ -41,7 +41,7 @@ struct CheckQuery {
 
 enum class CheckPhase : std::uint8_t { kBegin, kCurve, kJoints };
 
-/// Plain data, no initialisation needed before check_begin.
+/// Of a whole plan, or of a part of one. Plain data, no initialisation needed before check_begin.
 struct CheckStage {
   Status status;  ///< kCheckFailed if the stage failed; else kOk
   CheckPhase phase;
@@ -52,6 +52,12 @@ struct CheckStage {
 };
 
 void check_begin(CheckStage& stage) noexcept;
+
+/// Proves that a curve has room: that it keeps clear of obstacles and fences as the check will ask of a plan with this
+/// curve in it, and of obstacles and keep-outs by `spare` metres more. Nothing else is proven. kDone, or kFailed with
+/// the reason in `stage`. `world` may be null.
+Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& part, const AskedWorld* world,
+                      double spare, Work& work) noexcept;
 
 /// kDone, or kFailed with the reason in `stage`. Reads its arguments only. The corridor may be empty, or wrong.
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,

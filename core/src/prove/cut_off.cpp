@@ -128,8 +128,7 @@ std::int32_t last_of_block(std::int32_t begin, std::int32_t end) {
 
 Hints hints_of(const Polyhedron& polyhedron) noexcept {
   if (polyhedron.count < 0 || polyhedron.count > kMaxPlanes) return {nullptr, 0};
-  if (polyhedron.redundant < 0 || polyhedron.redundant > kMaxPlanes - polyhedron.count) return {nullptr, 0};
-  return {polyhedron.planes, all_planes(polyhedron)};
+  return {polyhedron.planes, polyhedron.count};
 }
 
 bool is_unit(const Vec3& normal) noexcept {

@@ -21,7 +21,7 @@ struct Hints {
   int count;  ///< 0 .. kMaxPlanes
 };
 
-/// The hints that a polyhedron gives; none if its counts are no counts.
+/// The hints that a polyhedron gives; none if its count is no count.
 Hints hints_of(const Polyhedron& polyhedron) noexcept;
 
 /// True if a normal of a hint is a unit vector, within rounding.

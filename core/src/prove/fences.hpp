@@ -53,7 +53,7 @@ struct FenceScratch {
 
 /// What the planner knows of its plan, and memory to use it. The proof does not depend on it.
 struct PlanHints {
-  const Corridor* corridor;  ///< may be empty, or wrong
+  const Corridor* corridor;  ///< may be null, empty, or wrong
   FenceScratch scratch;
 };
 

@@ -81,14 +81,16 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   return Status::kRunning;
 }
 
-void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const AskedWorld* world,
-                       PlanHints& hints) noexcept {
+void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits* limits, const AskedWorld* world,
+                       double spare, PlanHints& hints) noexcept {
   refuse(0.0);
   trajectory_ = &trajectory;
   hints_ = &hints;
-  take_grant(grid, grant_to_plan(grid, trajectory), Beyond::kEmpty);
-  has_limits_ = true;
-  limits_ = limits;
+  Grant grant = grant_to_plan(grid, trajectory);
+  grant.near -= spare;
+  take_grant(grid, grant, Beyond::kEmpty);
+  has_limits_ = limits != nullptr;
+  if (has_limits_) limits_ = *limits;
   fences_ = world != nullptr ? world->fence : nullptr;
   fence_count_ = world != nullptr ? world->count : 0;
   if (trajectory.count >= 1 && trajectory.count <= kMaxSegments) enter(trajectory);

@@ -51,7 +51,7 @@ Excess outside_by(const Box& box, const Vec3& point) {
 
 /// The hints for the current segment.
 Hints Proof::hints() const noexcept {
-  if (hints_ == nullptr) return {nullptr, 0};
+  if (hints_ == nullptr || hints_->corridor == nullptr) return {nullptr, 0};
   const Corridor& corridor = *hints_->corridor;
   const int index = trajectory_->segments[segment_].polyhedron;
   if (index < 0 || index >= corridor.count || index >= kMaxSegments) return {nullptr, 0};

@@ -37,7 +37,6 @@ void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3&
     const Polyhedron& in = corridor.polyhedra[i];
     Polyhedron& relative = out.polyhedra[i];
     relative.count = in.count;
-    relative.redundant = 0;
     relative.from = i == 0 ? start : in.from - origin;
     relative.to = i + 1 == corridor.count ? goal : in.to - origin;
   }

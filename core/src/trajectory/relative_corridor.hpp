@@ -19,7 +19,7 @@ constexpr double kCorridorReserve = 1e-9;
 /// Fills `out` with the half-spaces and segment ends of `corridor` (local frame of the grid) relative to `origin`, a
 /// point in the same frame. The first segment begins at `start` and the last ends at `goal`, bit for bit; both are
 /// already relative to `origin`. Segments that meet at a via meet at its position, bit for bit. Each half-space
-/// contains the ends of its segment exactly. Sets no redundant half-spaces and no ellipsoids.
+/// contains the ends of its segment exactly.
 void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3& start, const Vec3& goal,
                        const ViaJoints& via_joints, Corridor& out) noexcept;
 
