@@ -6,7 +6,7 @@
 //
 //   feasibility   durations grow from round to round until the programme has a solution: the first feasible plan.
 //   descent       a quasi-Newton method on the logarithms of the durations. The gradient comes with every solution
-//                 (time_prices.hpp), the second derivatives are learned from its changes (curvature.hpp). If a step
+//                 (programme.hpp), the second derivatives are learned from its changes (curvature.hpp). If a step
 //                 leaves no plan or a worse one, the search goes halfway back.
 //
 // A larger weight never gives a longer plan. The search for it first finds the default weight's plan, and then goes up
