@@ -46,15 +46,15 @@ Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& p
   return Progress::kDone;
 }
 
-void follow_note_trial(bool holds, const Trajectory& trajectory, Follow& follow) noexcept {
-  follow.held = holds;
-  follow.held_duration = duration(trajectory);
+void follow_note_trial(bool proven, const Trajectory& trajectory, Follow& follow) noexcept {
+  follow.proven = proven;
+  follow.proven_duration = duration(trajectory);
 }
 
 bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory) noexcept {
   const bool is_flown = follow.leads_plan && previous.meets_goal;
-  if (!follow.held || is_flown) return false;
-  return !(duration(trajectory) < follow.held_duration - kEarlierBy);
+  if (!follow.proven || is_flown) return false;
+  return !(duration(trajectory) < follow.proven_duration - kEarlierBy);
 }
 
 }  // namespace tern

@@ -20,10 +20,10 @@
 namespace tern {
 
 struct Follow {
-  bool is_trial;         ///< the remainder is tried before a new plan is looked for
-  bool leads_plan;       ///< the current plan begins with the remainder
-  bool held;             ///< the remainder was tried, and holds
-  double held_duration;  ///< of that remainder, s
+  bool is_trial;           ///< the remainder is tried before a new plan is looked for
+  bool leads_plan;         ///< the current plan begins with the remainder
+  bool proven;             ///< the remainder was tried, and is proven
+  double proven_duration;  ///< of that remainder, s
 };
 
 /// True if the remainder is to be tried before a new plan is looked for: it leads to the goal.
@@ -43,9 +43,9 @@ Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& p
                         Work& work) noexcept;
 
 /// Notes the result of a trial: whether the check passed the remainder, which is then in `trajectory`.
-void follow_note_trial(bool holds, const Trajectory& trajectory, Follow& follow) noexcept;
+void follow_note_trial(bool proven, const Trajectory& trajectory, Follow& follow) noexcept;
 
-/// True if the plan is to follow the remainder that held, because `trajectory` does not arrive earlier.
+/// True if the plan is to follow the remainder that was proven, because `trajectory` does not arrive earlier.
 bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory) noexcept;
 
 /// The jerk with which the plan begins.

@@ -43,7 +43,7 @@ void Pipeline::begin_goal() noexcept {
 
 /// Enters the first stage for a goal: the trial of the remainder if it leads there, else the search.
 void Pipeline::begin_attempts() noexcept {
-  attempts_.follow.held = false;
+  attempts_.follow.proven = false;
   attempts_.follow.is_trial = follow_trial_is_due(memory_->previous);
   attempts_.follow.is_trial ? enter(Stage::kPrevious) : begin_way();
 }
@@ -180,9 +180,9 @@ void Pipeline::go_on_from_nearest(bool done) noexcept {
 }
 
 /// Ends the trial of the remainder. The plan begins as if nothing had been tried.
-void Pipeline::end_trial(bool holds) noexcept {
+void Pipeline::end_trial(bool proven) noexcept {
   const Layout& memory = *memory_;
-  follow_note_trial(holds, memory.trajectory, attempts_.follow);
+  follow_note_trial(proven, memory.trajectory, attempts_.follow);
   begin_goal();
   begin_way();
 }

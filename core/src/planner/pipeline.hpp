@@ -78,7 +78,7 @@ class Pipeline {
   void go_on_from_previous(bool done) noexcept;
   void go_on_from_stop(bool done) noexcept;
   void go_on_from_nearest(bool done) noexcept;
-  void end_trial(bool holds) noexcept;
+  void end_trial(bool proven) noexcept;
   void check_as_is(Quality quality, Attempt attempt) noexcept;
   void stop_at_waypoints(Status why) noexcept;
   void fail(Stage stage, Status status) noexcept;
