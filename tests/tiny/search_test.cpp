@@ -127,7 +127,7 @@ TEST(TinySearch, ScansWithoutStopsFindTheSameCost) {
 
 // 3 x 16 x 15 blocks of 4 x 4 x 4 are more than there are records of: what is beyond them is dominated by nothing.
 TEST(TinySearch, BlocksWithoutARecordAreSearchedAtTheSameCost) {
-  static_assert(3 * 16 * 15 > tern::kDominanceBlocks, "the map must not fit");
+  static_assert(3 * 16 * 15 > tern::kDominancePages, "the map must not fit");
   PathRunner runner;
   Random random(65);
   int solved = 0;
