@@ -1,0 +1,134 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Frames of several sensors: what each one is, and the queue from which the map takes them.
+#ifndef TERN_ONBOARD_SENSORS_HPP
+#define TERN_ONBOARD_SENSORS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tern/map.hpp"
+#include "tern_onboard/notices.hpp"
+#include "tern_onboard/poses.hpp"
+#include "tern_onboard/settings.hpp"
+
+namespace tern_onboard {
+
+enum class SensorKind : std::uint8_t {
+  kDepth = 0,  ///< depth images without lens distortion
+  kPoints,     ///< scans as points, corrected for motion, from one origin
+};
+
+/// The lens of a depth camera, pixels: a ray through pixel (u, v) has the direction ((u - cx) / fx, (v - cy) / fy, 1).
+struct Lens {
+  std::int32_t width = 0, height = 0;
+  double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
+};
+
+struct SensorSpec {
+  std::string name;  ///< in notices and diagnostics
+  SensorKind kind = SensorKind::kDepth;
+  SensorSettings settings;
+};
+
+/// A depth image of yours, copied when it is taken. Depth is along the optical axis. 0, NaN, what is below
+/// SensorSettings::least, not below SensorSettings::most or, in 16 bits, 65535 is no measurement; so is +infinity,
+/// unless SensorSettings::inf_is_free.
+struct DepthImage {
+  std::int64_t stamp;  ///< nanoseconds: the middle of the exposure, on the clock of Onboard::tick() but for time_offset
+  const void* data;
+  std::size_t bytes;  ///< of data
+  std::int32_t width, height;
+  std::size_t row_bytes;
+  bool metres;      ///< true: 32-bit floats in metres (32FC1); false: 16-bit integers in millimetres (16UC1)
+  bool big_endian;  ///< of 16-bit numbers; floats are little-endian
+};
+
+/// Points of yours in the sensor's axes, copied when they are taken: 32-bit floats, little-endian, metres. A point that
+/// is not finite is a beam that is missing. One nearer than SensorSettings::least is a beam that knows nothing.
+/// Nothing within the map's range is in the way of a point beyond it.
+struct PointScan {
+  std::int64_t stamp;
+  const void* data;
+  std::size_t bytes;
+  std::size_t width, height;  ///< points in a row, and rows
+  std::size_t row_bytes, point_bytes;
+  std::size_t x, y, z;  ///< offsets in a point, bytes
+};
+
+/// What became of a sensor's frames.
+struct SensorState {
+  std::string name;
+  std::uint64_t taken = 0;      ///< entered into the map
+  std::int64_t last_stamp = 0;  ///< of the newest one that was entered; 0: none
+  bool lens_known = false, mounting_known = false;
+};
+
+/// The sensors, each with room for one frame that waits: a newer one takes its place. The one with the oldest stamp is
+/// entered first, so sensors take turns. A frame waits until there are poses around its stamp. Not thread-safe.
+class Sensors {
+ public:
+  /// `pixels`: of MapSpec. Larger images are divided into squares of pixels; each becomes one pixel with the least of
+  /// its depths, and no measurement if one of them is none.
+  Sensors(const WatchSettings& settings, std::int32_t pixels, double range);
+
+  int add(const SensorSpec& spec);
+  int count() const { return static_cast<int>(sensors_.size()); }
+  /// The lens must be known before images come. Empty; or why it is refused.
+  std::string set_lens(int sensor, const Lens& lens);
+  /// The sensor's pose in body axes. A depth camera's own axes are x right, y down, z ahead. Empty, or why not.
+  std::string set_mounting(int sensor, const tern::Pose& in_body);
+  void offer(int sensor, const DepthImage& image, std::int64_t now, Notices& notices);
+  void offer(int sensor, const PointScan& scan, std::int64_t now, Notices& notices);
+  /// Begins to enter a frame, if one can be. To be called while the map is not busy.
+  void enter(tern::RollingMap& map, const Poses& poses, std::int64_t now, Notices& notices);
+  /// Forgets what waits, and all stamps: the clock or the map is a new one.
+  void restart();
+  const SensorState& state(int sensor) const { return sensors_[static_cast<std::size_t>(sensor)].state; }
+
+ private:
+  struct Frame {
+    std::int64_t stamp = 0;
+    bool waits = false;
+    std::int32_t width = 0, height = 0;  // of depths
+    std::vector<float> depths;
+    std::vector<float> points;  // x, y, z
+  };
+  struct Sensor {
+    SensorSpec spec;
+    Lens lens;
+    std::int32_t binning = 1;
+    tern::Pose in_body{};
+    Frame frame;
+    std::int64_t newest = 0;  // stamp of the last one that was offered
+    bool any = false;
+    SensorState state;
+  };
+
+  bool stamp_is_good(Sensor& sensor, int index, std::int64_t stamp, std::int64_t now, Notices& notices);
+  bool size_is_good(const Sensor& sensor, int index, const DepthImage& image, std::int64_t now, Notices& notices);
+  float depth_of(const Sensor& sensor, const DepthImage& image, std::int32_t u, std::int32_t v) const;
+  void read(const Sensor& sensor, const DepthImage& image, Frame& frame) const;
+  static void read(const PointScan& scan, Frame& frame);
+  bool drop_old(int index, std::int64_t now, Notices& notices);
+  int next(const Poses& poses, std::int64_t now, Notices& notices, tern::Pose& body);
+  tern::Status begin(tern::RollingMap& map, Sensor& sensor, const tern::Pose& body);
+  std::string called(int index) const { return sensors_[static_cast<std::size_t>(index)].spec.name; }
+
+  WatchSettings settings_;
+  std::int32_t pixels_;
+  double range_;
+  std::vector<Sensor> sensors_;
+  std::int64_t entered_ = 0;  // the latest stamp that the map was told
+  bool any_entered_ = false;
+  Frame in_work_;  // the map reads it until its job is done
+  std::vector<tern::Vec3> directions_;
+  std::vector<float> ranges_;
+};
+
+}  // namespace tern_onboard
+
+#endif

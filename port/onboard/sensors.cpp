@@ -1,0 +1,242 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern_onboard/sensors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tern_onboard {
+namespace {
+
+constexpr std::int64_t kAhead = 20000000;  // ns, as for poses
+
+std::string milliseconds(std::int64_t ns) {
+  return std::to_string(ns / 1000000) + " ms";
+}
+
+/// All of a scan lies in its bytes.
+bool scan_is_whole(const PointScan& scan) {
+  const std::size_t last = std::max(scan.x, std::max(scan.y, scan.z)) + sizeof(float);
+  if (scan.data == nullptr || scan.width == 0 || scan.height == 0 || last > scan.point_bytes) return false;
+  if (scan.point_bytes > scan.bytes / scan.width || scan.width * scan.point_bytes > scan.row_bytes) return false;
+  return scan.row_bytes <= scan.bytes / scan.height;
+}
+
+}  // namespace
+
+Sensors::Sensors(const WatchSettings& settings, std::int32_t pixels, double range)
+    : settings_(settings), pixels_(pixels), range_(range) {}
+
+int Sensors::add(const SensorSpec& spec) {
+  Sensor sensor;
+  sensor.spec = spec;
+  sensor.state.name = spec.name;
+  sensors_.push_back(std::move(sensor));
+  return count() - 1;
+}
+
+std::string Sensors::set_lens(int index, const Lens& lens) {
+  Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
+  const bool finite =
+      std::isfinite(lens.fx) && std::isfinite(lens.fy) && std::isfinite(lens.cx) && std::isfinite(lens.cy);
+  if (!finite || !(lens.fx > 0.0) || !(lens.fy > 0.0) || lens.width < 1 || lens.height < 1) {
+    return called(index) +
+           ": the lens is refused: width, height, fx and fy must be above 0, and all numbers finite. Is "
+           "the camera calibrated?";
+  }
+  sensor.lens = lens;
+  sensor.state.lens_known = true;
+  sensor.binning = 1;
+  while ((lens.width / sensor.binning) * (lens.height / sensor.binning) > pixels_) ++sensor.binning;
+  return {};
+}
+
+std::string Sensors::set_mounting(int index, const tern::Pose& in_body) {
+  tern::Pose pose = in_body;
+  if (!is_finite(pose.position) || !make_unit(pose.quaternion)) {
+    return called(index) + ": the mounting is refused: its position is not finite, or its quaternion has not norm 1";
+  }
+  Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
+  sensor.in_body = pose;
+  sensor.state.mounting_known = true;
+  return {};
+}
+
+void Sensors::offer(int index, const DepthImage& image, std::int64_t now, Notices& notices) {
+  Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
+  const std::int64_t stamp = image.stamp + std::llround(1e9 * sensor.spec.settings.time_offset);
+  if (!size_is_good(sensor, index, image, now, notices)) return;
+  if (!stamp_is_good(sensor, index, stamp, now, notices)) return;
+  read(sensor, image, sensor.frame);
+  sensor.frame.stamp = stamp;
+}
+
+void Sensors::offer(int index, const PointScan& scan, std::int64_t now, Notices& notices) {
+  Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
+  const std::int64_t stamp = scan.stamp + std::llround(1e9 * sensor.spec.settings.time_offset);
+  if (!scan_is_whole(scan)) {
+    notices.bad(Fault::kFrameInvalid, index, now,
+                called(index) + ": a scan is refused: it is empty, or its sizes do not agree with its bytes");
+    return;
+  }
+  if (!sensor.state.mounting_known) {
+    notices.bad(Fault::kFrameUnready, index, now, called(index) + ": scans wait: its mounting is not known yet");
+    return;
+  }
+  if (!stamp_is_good(sensor, index, stamp, now, notices)) return;
+  read(scan, sensor.frame);
+  sensor.frame.stamp = stamp;
+}
+
+bool Sensors::size_is_good(const Sensor& sensor, int index, const DepthImage& image, std::int64_t now,
+                           Notices& notices) {
+  const auto refuse = [&](Fault fault, const std::string& text) {
+    notices.bad(fault, index, now, called(index) + ": " + text);
+    return false;
+  };
+  if (!sensor.state.lens_known || !sensor.state.mounting_known) {
+    return refuse(Fault::kFrameUnready, std::string("images wait: its ") +
+                                            (sensor.state.lens_known ? "mounting" : "lens") + " is not known yet");
+  }
+  if (image.width != sensor.lens.width || image.height != sensor.lens.height) {
+    return refuse(Fault::kFrameInvalid, "an image of " + std::to_string(image.width) + " x " +
+                                            std::to_string(image.height) + " pixels is refused: the lens is for " +
+                                            std::to_string(sensor.lens.width) + " x " +
+                                            std::to_string(sensor.lens.height));
+  }
+  const std::size_t row = static_cast<std::size_t>(image.width) * (image.metres ? 4 : 2);
+  const std::size_t rows = static_cast<std::size_t>(image.height);
+  if (image.data == nullptr || image.row_bytes < row || image.row_bytes > image.bytes / rows ||
+      (image.metres && image.big_endian)) {
+    return refuse(Fault::kFrameInvalid,
+                  "an image is refused: it is empty, its sizes do not agree with its bytes, or "
+                  "its floats are big-endian");
+  }
+  return true;
+}
+
+/// If it is, the sensor's frame waits with this stamp.
+bool Sensors::stamp_is_good(Sensor& sensor, int index, std::int64_t stamp, std::int64_t now, Notices& notices) {
+  const auto refuse = [&](Fault fault, const std::string& text) {
+    notices.bad(fault, index, now, called(index) + ": " + text);
+    return false;
+  };
+  if (stamp > now + kAhead) {
+    return refuse(Fault::kFrameAhead, "frames are refused: their stamps are " + milliseconds(stamp - now) +
+                                          " ahead of the clock. Synchronise the clocks, or set time_offset");
+  }
+  if (now - stamp > std::llround(1e9 * settings_.frame_age)) {
+    return refuse(Fault::kFrameOld,
+                  "frames are refused: their stamps are " + milliseconds(now - stamp) +
+                      " behind the clock, and frame_age is less. Synchronise the clocks, or find what "
+                      "delays them");
+  }
+  if (sensor.any && stamp == sensor.newest) {
+    return refuse(Fault::kFrameRepeated, "a frame is left out: it has the stamp of the last one");
+  }
+  if (sensor.any && stamp < sensor.newest) {
+    return refuse(Fault::kFrameBackward, "a frame is left out: its stamp is before the last one's");
+  }
+  if (sensor.frame.waits) notices.count(Fault::kFrameReplaced);
+  sensor.any = sensor.frame.waits = true;
+  sensor.newest = stamp;
+  return true;
+}
+
+/// Takes a frame that waited too long out of the queue.
+bool Sensors::drop_old(int index, std::int64_t now, Notices& notices) {
+  Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
+  if (now - sensor.frame.stamp <= std::llround(1e9 * settings_.frame_age)) return false;
+  sensor.frame.waits = false;
+  notices.bad(Fault::kFrameNoPose, index, now,
+              called(index) + ": a frame is left out: no pose with its stamp or a later one came within frame_age");
+  return true;
+}
+
+/// The sensor whose frame is the oldest of those that can be entered, and the body's pose then; -1 if there is none.
+int Sensors::next(const Poses& poses, std::int64_t now, Notices& notices, tern::Pose& body) {
+  int best = -1;
+  for (int k = 0; k < count(); ++k) {
+    Frame& frame = sensors_[static_cast<std::size_t>(k)].frame;
+    if (!frame.waits || drop_old(k, now, notices)) continue;
+    tern::Pose pose{};
+    const PoseAt found = poses.at(frame.stamp, pose);
+    if (found == PoseAt::kGone || found == PoseAt::kGap) {
+      frame.waits = false;
+      notices.bad(Fault::kFrameNoPose, k, now,
+                  called(k) + (found == PoseAt::kGap
+                                   ? ": a frame is left out: the poses around its stamp are further apart than pose_gap"
+                                   : ": a frame is left out: it was taken before the first pose"));
+    }
+    if (found != PoseAt::kKnown) continue;
+    if (best >= 0 && sensors_[static_cast<std::size_t>(best)].frame.stamp <= frame.stamp) continue;
+    best = k;
+    body = pose;
+  }
+  return best;
+}
+
+void Sensors::enter(tern::RollingMap& map, const Poses& poses, std::int64_t now, Notices& notices) {
+  tern::Pose body{};
+  const int index = next(poses, now, notices, body);
+  if (index < 0) return;
+  Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
+  std::swap(in_work_, sensor.frame);
+  in_work_.waits = sensor.frame.waits = false;
+  const tern::Status begun = begin(map, sensor, body);
+  if (begun != tern::Status::kRunning) {
+    notices.bad(
+        Fault::kFrameRefused, index, now,
+        called(index) + ": the map refused a frame: " + tern::status_name(begun) + ", " + tern::status_meaning(begun));
+    return;
+  }
+  ++sensor.state.taken;
+  sensor.state.last_stamp = in_work_.stamp;
+  entered_ = any_entered_ ? std::max(entered_, in_work_.stamp) : in_work_.stamp;
+  any_entered_ = true;
+  notices.good(Fault::kFrameInvalid, Fault::kFrameRefused, index, now,
+               (called(index) + ": frames are good again").c_str());
+}
+
+/// The map wants times that do not fall, and sensors have different delays: a frame that is older than the last one is
+/// entered with that one's time. Times matter to the map only where what was seen ages.
+tern::Status Sensors::begin(tern::RollingMap& map, Sensor& sensor, const tern::Pose& body) {
+  const std::int64_t t = any_entered_ ? std::max(entered_, in_work_.stamp) : in_work_.stamp;
+  const tern::Pose eye = compose(body, sensor.in_body);
+  if (sensor.spec.kind == SensorKind::kPoints) {
+    directions_.clear();
+    ranges_.clear();
+    for (std::size_t k = 0; k + 2 < in_work_.points.size(); k += 3) {
+      const tern::Vec3 point{in_work_.points[k], in_work_.points[k + 1], in_work_.points[k + 2]};
+      directions_.push_back(turn(eye.quaternion, point));
+      ranges_.push_back(static_cast<float>(length(point)));
+    }
+    const double least = sensor.spec.settings.least;
+    return map.begin_scan(
+        tern::Beams{directions_.data(), ranges_.data(), ranges_.size(), least, std::numeric_limits<double>::infinity()},
+        eye.position, t);
+  }
+  const Lens& lens = sensor.lens;
+  const double b = sensor.binning;
+  tern::DepthView view{};
+  view.z32 = in_work_.depths.data();
+  view.width = view.stride = in_work_.width;
+  view.height = in_work_.height;
+  view.fx = lens.fx / b;
+  view.fy = lens.fy / b;
+  view.cx = (lens.cx - 0.5 * (b - 1.0)) / b;
+  view.cy = (lens.cy - 0.5 * (b - 1.0)) / b;
+  view.scale = 1.0;
+  view.min = 0.0;
+  view.max = std::numeric_limits<float>::max();
+  return map.begin_frame(view, eye, t);
+}
+
+void Sensors::restart() {
+  for (Sensor& sensor : sensors_) sensor.frame.waits = sensor.any = false;
+  any_entered_ = false;
+}
+
+}  // namespace tern_onboard
