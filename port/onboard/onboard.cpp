@@ -145,7 +145,11 @@ void Onboard::add_pose(const StampedPose& pose, std::int64_t now, std::uint32_t 
     return lose(Fault::kHeadingJump, now, "the estimated heading jumped: the map is wrong now, and the flight ends");
   }
   if (!taken) return;
-  if (status_.state != State::kFlying) poses_.rebase();
+  if (status_.state != State::kFlying) {
+    hold_.position = plus(hold_.position, poses_.offset());
+    poses_.rebase();
+    if (following_.value_or(false) && !hold_.valid) hold_here();
+  }
   if (status_.state == State::kNoPose) status_.state = State::kReady;
   status_.offset = poses_.offset();
   if (length(minus(status_.offset, before)) > 0.0 && status_.state == State::kFlying) send_wish();
@@ -163,7 +167,8 @@ Answer Onboard::begin_locked(std::int64_t now) {
     return Answer{false, "the flight cannot begin: " + text};
   };
   if (status_.state == State::kFlying) return refuse("one is under way");
-  if (!following_) return refuse("the autopilot does not follow setpoints. Arm it and switch its mode first");
+  if (!following_.value_or(true))
+    return refuse("the autopilot does not follow setpoints. Arm it and switch its mode first");
   const StampedPose* newest = poses_.newest();
   if (newest == nullptr || now - newest->stamp > nanoseconds(settings_.watch.pose_age)) {
     return refuse("there is no pose, or it is older than pose_age");
@@ -175,7 +180,7 @@ Answer Onboard::begin_locked(std::int64_t now) {
 Answer Onboard::begin_at(const StampedPose& start, std::int64_t now) {
   tern::FlightRefusal refusal;
   // The setpoint that the vehicle holds is where it goes on.
-  const tern::Vec3 position = hold_.valid && status_.state == State::kLost ? hold_.position : start.pose.position;
+  const tern::Vec3 position = hold_.valid ? hold_.position : start.pose.position;
   const tern::Status begun = start_flight(position, now, &refusal);
   if (begun != tern::Status::kOk) {
     notices_.count(Fault::kRefused);
@@ -198,7 +203,7 @@ Answer Onboard::begin_at(const StampedPose& start, std::int64_t now) {
   status_.report = {};
   status_.stray = status_.stray_max = 0.0;
   status_.state = State::kFlying;
-  pose_lost_ = false;
+  hold_.valid = pose_lost_ = false;
   notices_.say("the flight begins" + at(position));
   return {true, "the flight begins" + at(position)};
 }
@@ -208,13 +213,14 @@ void Onboard::set_following(bool following) {
   if (following_ == following) return;
   following_ = following;
   hold_.valid = false;
-  if (status_.state != State::kFlying && status_.state != State::kLost) return;
-  if (!following) {
-    if (status_.state == State::kFlying) notices_.say("the autopilot does not follow any more: the flight ends");
-    status_.state = State::kReady;
-    wish_.clear();
-    poses_.rebase();
+  if (following) {
+    if (status_.state != State::kFlying) hold_here();
+    return;
   }
+  if (status_.state == State::kFlying) notices_.say("the autopilot does not follow any more: the flight ends");
+  if (status_.state == State::kFlying || status_.state == State::kLost) status_.state = State::kReady;
+  wish_.clear();
+  poses_.rebase();
 }
 
 Answer Onboard::send_wish() {

@@ -120,17 +120,22 @@ void Onboard::watch_stray(const StampedPose& pose, std::int64_t now) {
   }
 }
 
-void Onboard::lose(Fault fault, std::int64_t now, const std::string& text) {
-  notices_.bad(fault, kNobody, now, text);
-  wish_.clear();
-  poses_.rebase();
-  status_.state = State::kLost;
+/// From now on, the setpoint without a flight is where the vehicle is.
+void Onboard::hold_here() {
   hold_ = {};
   const StampedPose* newest = poses_.newest();
   if (newest == nullptr) return;
   hold_.valid = true;
   hold_.position = hold_.look_at = newest->pose.position;
   hold_.yaw = heading_of(newest->pose.quaternion);
+}
+
+void Onboard::lose(Fault fault, std::int64_t now, const std::string& text) {
+  notices_.bad(fault, kNobody, now, text);
+  wish_.clear();
+  poses_.rebase();
+  status_.state = State::kLost;
+  hold_here();
 }
 
 std::int64_t Onboard::next_tick(std::int64_t now) const {
@@ -156,7 +161,7 @@ Setpoint Onboard::setpoint(std::int64_t now) const {
             yaw.yaw.rate,
             plus(command.look_at, offset)};
   }
-  if (status_.state == State::kLost && hold_.valid) {
+  if (hold_.valid) {
     setpoint = hold_;
     setpoint.time = now;
     return setpoint;

@@ -16,15 +16,14 @@ std::string milliseconds(std::int64_t ns) {
   return std::to_string(ns / 1000000) + " ms";
 }
 
-/// All of a scan lies in its bytes.
+}  // namespace
+
 bool scan_is_whole(const PointScan& scan) {
   const std::size_t last = std::max(scan.x, std::max(scan.y, scan.z)) + sizeof(float);
   if (scan.data == nullptr || scan.width == 0 || scan.height == 0 || last > scan.point_bytes) return false;
   if (scan.point_bytes > scan.bytes / scan.width || scan.width * scan.point_bytes > scan.row_bytes) return false;
   return scan.row_bytes <= scan.bytes / scan.height;
 }
-
-}  // namespace
 
 Sensors::Sensors(const WatchSettings& settings, std::int32_t pixels, double range)
     : settings_(settings), pixels_(pixels), range_(range) {}

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,8 +96,9 @@ class Onboard {
   /// Begins a flight at rest at the last pose. set_goal() and set_mission() do so themselves if there is none.
   Answer begin(std::int64_t now);
   /// Whether the autopilot follows the setpoints: it is armed, and in a mode that takes them. While it does not, there
-  /// is no flight, and setpoints stay at the estimate, so that the mode can be entered without a step. Without this
-  /// call, it counts as following.
+  /// is no flight, and setpoints go with the estimate, so that the mode can be entered without a step. Once it does,
+  /// they stay where the vehicle was then. Without this call, a flight may begin at any time, and setpoints go with the
+  /// estimate until then.
   void set_following(bool following);
   Answer set_goal(const tern::Vec3& goal, std::int64_t now);
   Answer set_mission(const std::vector<tern::Via>& points, tern::ViaPolicy policy, std::int64_t now);
@@ -140,6 +142,7 @@ class Onboard {
   void mark_known();
   void watch_poses(std::int64_t now);
   void watch_stray(const StampedPose& pose, std::int64_t now);
+  void hold_here();
   void lose(Fault fault, std::int64_t now, const std::string& text);
   tern::Vec3 commanded(std::int64_t t) const;
   Answer send_wish();
@@ -170,8 +173,8 @@ class Onboard {
   Status status_;
   tern::Corridor corridor_{};  // of the last plan that was committed
   tern::Vec3 corridor_origin_{}, plan_origin_{};
-  Setpoint hold_{};  // what to fly without a flight
-  bool following_ = true;
+  Setpoint hold_{};                // what to fly without a flight
+  std::optional<bool> following_;  // nothing if nobody said
   bool pose_lost_ = false;
   std::int64_t time_ = 0;  // of the last tick
 };

@@ -59,6 +59,9 @@ struct PointScan {
   std::size_t x, y, z;  ///< offsets in a point, bytes
 };
 
+/// All points of the scan lie in its bytes, and there is one at least.
+bool scan_is_whole(const PointScan& scan);
+
 /// What became of a sensor's frames.
 struct SensorState {
   std::string name;
