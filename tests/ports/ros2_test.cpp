@@ -1,169 +1,257 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// port/ros's node for ROS 2, over stand-ins for rclcpp and the messages. ROS 2 itself is not in Debian.
+// port/ros's flight node for ROS 2, over stand-ins for rclcpp and the messages. ROS 2 itself is not in Debian.
 #define main tern_node_main
-#include "../../port/ros/ros2/src/tern_node.cpp"
+#include "../../port/ros/ros2/src/tern_flight_node.cpp"
 #undef main
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "ros2/camera_world.hpp"
 #include "ros_clouds.hpp"
 
 namespace {
 
-PoseStamped pose_at(double x, double y, double z) {
-  PoseStamped pose;
-  pose.header.frame_id = "map";
-  pose.pose.position = {x, y, z};
-  return pose;
+using geometry_msgs::msg::PoseStamped;
+using rclcpp::bus;
+using tern_test::CameraWorld;
+using tern_test::kTick;
+using tern_test::pose_at;
+using tern_test::tick;
+using tern_test::told;
+using trajectory_msgs::msg::MultiDOFJointTrajectory;
+
+bool log_has(const std::string& text) {
+  return std::any_of(bus().log.begin(), bus().log.end(),
+                     [&text](const std::string& line) { return line.find(text) != std::string::npos; });
+}
+
+long log_count(const std::string& text) {
+  return std::count_if(bus().log.begin(), bus().log.end(),
+                       [&text](const std::string& line) { return line.find(text) != std::string::npos; });
 }
 
 class Ros2 : public testing::Test {
  protected:
-  void SetUp() override { rclcpp::bus() = rclcpp::Bus{}; }
-  static int run() { return tern_node_main(0, nullptr); }
+  void SetUp() override {
+    rclcpp::the_bus() = std::make_unique<rclcpp::Bus>();
+    bus().parameters = {{"setpoint_rate", 100.0}, {"tracking_margin", 0.1}, {"radius", 0.3}};
+  }
+  /// Runs the node, and `script` once it spins.
+  static int run(const std::function<void()>& script = [] {}) {
+    bool begun = false;
+    bus().world = [&] {
+      if (!begun) script();
+      return !std::exchange(begun, true);
+    };
+    return tern_node_main(0, nullptr);
+  }
 };
 
-TEST_F(Ros2, PlansPastACloud) {
-  rclcpp::bus().entered = {
-      {"cloud", tern_test::cloud_of_wall<PointCloud2>()}, {"pose", pose_at(-3, 0, 1.5)}, {"goal", pose_at(4, 1, 1.5)}};
-  ASSERT_EQ(run(), 0);
-  ASSERT_EQ(rclcpp::bus().published.size(), 2u);
-  const auto trajectory = std::any_cast<MultiDOFJointTrajectory>(rclcpp::bus().published[0].second);
-  const char* fault = tern_test::fault_of(
-      trajectory, [](const auto& point) { return point.time_from_start.sec + 1e-9 * point.time_from_start.nanosec; });
-  EXPECT_EQ(fault, nullptr) << fault;
-  EXPECT_EQ(trajectory.header.stamp.sec, 42);
-  const auto markers = std::any_cast<MarkerArray>(rclcpp::bus().published[1].second);
-  ASSERT_EQ(markers.markers.size(), 1u);
-  EXPECT_EQ(markers.markers[0].points.size(), 201u);
-  EXPECT_EQ(markers.markers[0].header.frame_id, "map");
-}
-
-TEST_F(Ros2, TakesParameters) {
-  rclcpp::bus().parameters = {{"speed", 0.5}, {"rate", 10.0}};
-  rclcpp::bus().entered = {{"pose", pose_at(-3, 0, 1.5)}, {"goal", pose_at(-1, 0, 1.5)}};
-  ASSERT_EQ(run(), 0);
-  ASSERT_EQ(rclcpp::bus().published.size(), 2u);
-  const auto trajectory = std::any_cast<MultiDOFJointTrajectory>(rclcpp::bus().published[0].second);
-  EXPECT_EQ(trajectory.points[1].time_from_start.nanosec, 100000000u);
-  for (const auto& point : trajectory.points) EXPECT_LE(point.velocities[0].linear.x, 0.5 + 1e-6);
-}
-
-TEST_F(Ros2, PublishesNothingWithoutAPlan) {
-  auto elsewhere = tern_test::cloud_of_wall<PointCloud2>();
-  elsewhere.header.frame_id = "camera";
-  auto short_of_data = tern_test::cloud_of_wall<PointCloud2>();
-  short_of_data.data.pop_back();
-  auto goal_elsewhere = pose_at(4, 1, 1.5);
-  goal_elsewhere.header.frame_id = "odom";
-  rclcpp::bus().entered = {{"goal", pose_at(4, 1, 1.5)},  // no pose yet
-                           {"cloud", elsewhere},         {"cloud", short_of_data},     {"pose", pose_at(-3, 0, 1.5)},
-                           {"goal", goal_elsewhere},     {"goal", pose_at(99, 0, 1.5)}};
-  ASSERT_EQ(run(), 0);
-  EXPECT_TRUE(rclcpp::bus().published.empty());
-  // Neither of the clouds is in the map: the way is straight.
-  rclcpp::bus().entered.emplace_back("goal", pose_at(4, 0, 1.5));
-  ASSERT_EQ(run(), 0);
-  ASSERT_EQ(rclcpp::bus().published.size(), 2u);
-  const auto trajectory = std::any_cast<MultiDOFJointTrajectory>(rclcpp::bus().published[0].second);
-  for (const auto& point : trajectory.points) EXPECT_NEAR(point.transforms[0].translation.y, 0.0, 1e-6);
-}
-
-TEST_F(Ros2, TakesPosesFromPublishersThatAreNotReliable) {
-  ASSERT_EQ(run(), 0);
-  EXPECT_FALSE(rclcpp::bus().reliable.at("pose"));
-  EXPECT_FALSE(rclcpp::bus().reliable.at("cloud"));
-}
-
-TEST_F(Ros2, PlansFromNoPoseThatIsOld) {
-  rclcpp::bus().entered = {{"pose", pose_at(-3, 0, 1.5)}, {"clock", 43.1}, {"goal", pose_at(4, 1, 1.5)}};
-  ASSERT_EQ(run(), 0);
-  EXPECT_TRUE(rclcpp::bus().published.empty());
-  rclcpp::bus().entered = {{"pose", pose_at(-3, 0, 1.5)}, {"clock", 44.0}, {"goal", pose_at(4, 1, 1.5)}};
-  ASSERT_EQ(run(), 0);
-  EXPECT_EQ(rclcpp::bus().published.size(), 2u);
-}
-
-/// The answer of Planning to a goal after a pose.
-std::string answer(const PoseStamped& pose, const PoseStamped& goal) {
-  tern_ros::Planning planning{tern_ros::Settings()};
-  MultiDOFJointTrajectory trajectory;
-  visualization_msgs::msg::Marker marker;
-  planning.set_pose(pose_at(-3, 0, 1.5));  // a good one before it
-  planning.set_pose(pose);
-  return planning.plan_to(goal, trajectory, marker);
-}
-
-PoseStamped in_frame(PoseStamped pose, const char* frame) {
-  pose.header.frame_id = frame;
-  return pose;
-}
-
-TEST_F(Ros2, ChecksFramesOfPosesAndGoals) {
-  const PoseStamped here = pose_at(-3, 0, 1.5), there = pose_at(4, 1, 1.5);
-  EXPECT_EQ(answer(here, there), "ok");
-  for (const char* frame : {"base_link", "", "/map", "Map"}) {
-    const std::string fault = "it is in frame \"" + std::string(frame) + "\", not \"map\"; transform it with tf2 first";
-    EXPECT_EQ(answer(in_frame(here, frame), there), "there is no pose to begin at: " + fault);
-    EXPECT_EQ(answer(here, in_frame(there, frame)), "the goal is refused: " + fault);
+/// Follows the setpoints until the node says that it is at the goal; answers the least distance from the wall of
+/// ros_clouds.hpp.
+double fly_exactly(double seconds, PoseStamped& at) {
+  double least = 1e9;
+  for (int k = 0; k < static_cast<int>(100 * seconds); ++k) {
+    tern_ros::set_stamp(at.header.stamp, bus().now());
+    bus().deliver("pose", at);
+    tick();
+    const auto setpoint = std::any_cast<MultiDOFJointTrajectory>(bus().last("command/trajectory"));
+    const auto& p = setpoint.points.at(0).transforms.at(0).translation;
+    at.pose.position = {p.x, p.y, p.z};
+    least = std::min(least, tern_test::distance_from_wall({p.x, p.y, p.z}));
+    if (told() == "rest: it is at the goal") return least;
   }
-  EXPECT_EQ(answer(pose_at(NAN, 0, 1.5), there), "there is no pose to begin at: it is not finite");
-  EXPECT_EQ(answer(here, pose_at(4, NAN, 1.5)).substr(0, 16), "non_finite_input");
+  return -1.0;
 }
 
-TEST_F(Ros2, KeepsTheBodyAboveTheGround) {
-  const PoseStamped here = pose_at(-3, 0, 1.5);
-  EXPECT_EQ(answer(here, pose_at(4, 1, 0.0)),
-            "the goal is at a height of 0.00 m, and the body stays above the ground from 0.40 m on");
-  EXPECT_EQ(answer(here, pose_at(4, 1, 0.4)), "ok");
-  EXPECT_EQ(answer(pose_at(-3, 0, 0.1), pose_at(4, 1, 1.5)),
-            "take off first: the vehicle is at a height of 0.10 m, and the body stays above the ground from 0.40 m on");
-  // The ground of a valley: the plan keeps above it.
-  tern_ros::Settings settings;
-  settings.world.lower.z = -1.0;
-  tern_ros::Planning lower(settings);
-  MultiDOFJointTrajectory trajectory;
-  visualization_msgs::msg::Marker marker;
-  lower.set_pose(pose_at(-3, 0, -0.6));
-  ASSERT_EQ(lower.plan_to(pose_at(4, 1, -0.55), trajectory, marker), "ok");
-  for (const auto& point : trajectory.points) EXPECT_GE(point.transforms[0].translation.z, -0.6 - 1e-8);
+TEST_F(Ros2, FliesPastAKnownCloud) {
+  bus().parameters["cameras"] = std::string();
+  bus().parameters["free_radius"] = 40.0;
+  bus().parameters["stale_after"] = 0.0;
+  bus().parameters["ground"] = 0.0;
+  bus().parameters["ceiling"] = 3.5;
+  double least = 0.0;
+  PoseStamped at = pose_at(-3, 0, 1.5);
+  ASSERT_EQ(run([&] {
+              bus().deliver("known", tern_test::cloud_of_wall<sensor_msgs::msg::PointCloud2>());
+              bus().deliver("pose", at);
+              bus().deliver("goal", pose_at(4, 1, 1.5));
+              least = fly_exactly(30.0, at);
+            }),
+            0);
+  EXPECT_GT(least, 0.4);
+  EXPECT_NEAR(at.pose.position.x, 4.0, 0.02);
+  const auto setpoint = std::any_cast<MultiDOFJointTrajectory>(bus().last("command/trajectory"));
+  EXPECT_EQ(setpoint.header.frame_id, "map");
+  EXPECT_EQ(tern_ros::stamp_of(setpoint.header.stamp), bus().now());
+  const auto map = std::any_cast<sensor_msgs::msg::PointCloud2>(bus().last("tern/obstacles"));
+  EXPECT_GT(map.width, 100u);
+  EXPECT_EQ(map.data.size(), 12u * map.width);
 }
 
-TEST_F(Ros2, SaysWhyACloudIsRefused) {
-  tern_ros::Planning planning{tern_ros::Settings()};
-  std::string why;
-  auto cloud = tern_test::cloud_of_wall<PointCloud2>();
-  EXPECT_TRUE(planning.add_cloud(cloud, &why));
-  EXPECT_EQ(why, "");
-  cloud.header.frame_id = "camera";
-  EXPECT_FALSE(planning.add_cloud(cloud, &why));
-  EXPECT_EQ(why, "it is in frame \"camera\", not \"map\"; transform it with tf2 first");
-  cloud.header.frame_id = "map";
-  cloud.fields[0].datatype = 8;
-  EXPECT_FALSE(planning.add_cloud(cloud, &why));
-  EXPECT_NE(why.find("FLOAT32"), std::string::npos);
+TEST_F(Ros2, FliesThroughAForestThatItSees) {
+  CameraWorld world("P25:20001");
+  bool there = false;
+  ASSERT_EQ(run([&] {
+              for (int k = 0; k < 10; ++k) world.step();
+              world.send_goal();
+              for (int k = 0; k < 6000 && !there; ++k) {
+                world.step();
+                there = told() == "rest: it is at the goal";
+              }
+            }),
+            0);
+  EXPECT_TRUE(there) << told();
+  EXPECT_GT(world.least, world.body());
+  const auto markers = std::any_cast<visualization_msgs::msg::MarkerArray>(bus().last("tern/markers"));
+  ASSERT_EQ(markers.markers.size(), 4u);
+  EXPECT_EQ(markers.markers[1].ns, "corridor");
+  EXPECT_GE(markers.markers[1].points.size(), 12u);  // edges of one polyhedron at least
 }
 
-TEST_F(Ros2, NamesTheVehiclesOwnPoints) {
-  tern_ros::Planning planning{tern_ros::Settings()};
-  auto cloud = tern_test::cloud_of_wall<PointCloud2>();
-  const float legs[3] = {-3.0f, 0.0f, 1.5f};
-  std::memcpy(cloud.data.data(), legs, sizeof legs);
-  ASSERT_TRUE(planning.add_cloud(cloud));
-  planning.set_pose(pose_at(-3, 0, 1.5));
-  MultiDOFJointTrajectory trajectory;
-  visualization_msgs::msg::Marker marker;
-  const std::string text = planning.plan_to(pose_at(4, 1, 1.5), trajectory, marker);
-  EXPECT_EQ(text.substr(0, 15), "start_occupied:");
-  EXPECT_NE(text.find("within 0.40 m of the vehicle. If they are its own body, filter them out."), std::string::npos)
-      << text;
+TEST_F(Ros2, SendsToPx4OnlyWhatItsModeAsksFor) {
+  bus().parameters["output"] = std::string("px4");
+  px4_msgs::msg::VehicleOdometry odometry;
+  odometry.pose_frame = px4_msgs::msg::VehicleOdometry::POSE_FRAME_NED;
+  odometry.position = {2.0f, 1.0f, -3.0f};  // north, east, down
+  odometry.q = {1.0f, 0.0f, 0.0f, 0.0f};    // looks north
+  px4_msgs::msg::VehicleStatus status;
+  status.arming_state = px4_msgs::msg::VehicleStatus::ARMING_STATE_ARMED;
+  const auto step = [&odometry] {
+    odometry.timestamp = static_cast<std::uint64_t>(bus().now() / 1000);
+    bus().deliver("fmu/out/vehicle_odometry", odometry);
+    tick();
+  };
+  ASSERT_EQ(run([&] {
+              for (int k = 0; k < 20; ++k) step();
+              EXPECT_GT(bus().count("fmu/in/offboard_control_mode"), 15);
+              EXPECT_EQ(bus().count("fmu/in/trajectory_setpoint"), 0);
+              bus().deliver("goal", pose_at(5, 2, 3));
+              EXPECT_TRUE(log_has("the autopilot does not follow setpoints"));
+              status.nav_state = px4_msgs::msg::VehicleStatus::NAVIGATION_STATE_OFFBOARD;
+              bus().deliver("fmu/out/vehicle_status", status);
+              odometry.position[1] = 1.2f;  // drifts; the setpoint stays where the mode began
+              for (int k = 0; k < 20; ++k) step();
+              EXPECT_GT(bus().count("fmu/in/trajectory_setpoint"), 15);
+              status.nav_state = 4;
+              bus().deliver("fmu/out/vehicle_status", status);
+              const int sent = bus().count("fmu/in/trajectory_setpoint");
+              for (int k = 0; k < 20; ++k) step();
+              EXPECT_EQ(bus().count("fmu/in/trajectory_setpoint"), sent);
+            }),
+            0);
+  const auto setpoint = std::any_cast<px4_msgs::msg::TrajectorySetpoint>(bus().last("fmu/in/trajectory_setpoint"));
+  EXPECT_EQ(setpoint.position, (std::array<float, 3>{2.0f, 1.0f, -3.0f}));
+  EXPECT_NEAR(setpoint.yaw, 0.0f, 1e-6f);
+  EXPECT_GT(setpoint.timestamp, 42000000u);
+  const auto mode = std::any_cast<px4_msgs::msg::OffboardControlMode>(bus().last("fmu/in/offboard_control_mode"));
+  EXPECT_TRUE(mode.position);
+  EXPECT_FALSE(mode.attitude || mode.body_rate);
 }
 
-TEST_F(Ros2, RefusesSettingsThatMakeNoGrid) {
-  rclcpp::bus().parameters = {{"cell", -1.0}};
+TEST_F(Ros2, SendsToMavrosFromBeforeTheModeOn) {
+  bus().parameters["output"] = std::string("mavros");
+  mavros_msgs::msg::State state;
+  state.armed = true;
+  state.mode = "OFFBOARD";
+  ASSERT_EQ(run([&] {
+              for (int k = 0; k < 10; ++k) {
+                bus().deliver("pose", pose_at(1, 2, 3));
+                tick();
+              }
+              EXPECT_GT(bus().count("mavros/setpoint_raw/local"), 5);
+              bus().deliver("mavros/state", state);
+              bus().deliver("goal", pose_at(3, 2, 3));
+              EXPECT_TRUE(log_has("it is taken over at the next tick"));
+            }),
+            0);
+  const auto target = std::any_cast<mavros_msgs::msg::PositionTarget>(bus().last("mavros/setpoint_raw/local"));
+  EXPECT_EQ(target.position.y, 2.0);  // east, north, up
+  EXPECT_EQ(target.coordinate_frame, 1);
+  EXPECT_EQ(target.type_mask, 0);
+}
+
+TEST_F(Ros2, AsksForSensorDataBestEffort) {
+  bus().parameters["lidars"] = std::string("top");
+  ASSERT_EQ(run(), 0);
+  for (const char* topic : {"pose", "odometry", "camera/image", "camera/camera_info", "top/points"}) {
+    EXPECT_FALSE(bus().reliable.at(topic)) << topic;
+  }
+  EXPECT_TRUE(bus().reliable.at("goal"));
+}
+
+TEST_F(Ros2, SaysOnceWhatDoesNotFit) {
+  ASSERT_EQ(run([] {
+              sensor_msgs::msg::Image image;
+              image.header.frame_id = "nowhere";
+              image.encoding = "rgb8";
+              for (int k = 0; k < 5; ++k) {
+                bus().deliver("camera/image", image);
+                bus().deliver("pose", pose_at(0, 0, 1, "odom"));
+                tick();
+              }
+            }),
+            0);
+  EXPECT_EQ(log_count("camera: frames wait, because tf2 has no \"nowhere\" in \"base_link\""), 1);
+  EXPECT_EQ(log_count("camera: images of encoding \"rgb8\" are refused"), 1);
+  EXPECT_EQ(log_count("pose is refused: it is in frame \"odom\", and frame is \"map\""), 1);
+  EXPECT_EQ(told(), "no pose");
+}
+
+TEST_F(Ros2, TurnsGoalsAndMissionsIntoItsFrame) {
+  geometry_msgs::msg::Transform moved;
+  moved.translation = {10.0, 0.0, 0.0};
+  bus().transforms["map odom"] = moved;
+  bus().parameters["ceiling"] = 5.0;
+  ASSERT_EQ(run([] {
+              bus().deliver("pose", pose_at(10, 0, 2));
+              bus().deliver("goal", pose_at(2, 0, 2, "elsewhere"));
+              EXPECT_TRUE(log_has("tf2 cannot turn that into \"map\""));
+              bus().deliver("goal", pose_at(2, 0, 6, "odom"));
+              EXPECT_TRUE(log_has("the goal is at a height of 6.00 m, and ceiling is 5.00 m"));
+              nav_msgs::msg::Path path;
+              path.header.frame_id = "odom";
+              bus().deliver("mission", path);
+              EXPECT_TRUE(log_has("it has no points"));
+              path.poses = {pose_at(0.5, 0, 2), pose_at(1, 0, 2)};
+              bus().deliver("mission", path);
+              PoseStamped at = pose_at(10, 0, 2);
+              EXPECT_GT(fly_exactly(20.0, at), 0.0);
+              EXPECT_NEAR(at.pose.position.x, 11.0, 0.02);
+              bus().deliver("stop", std_msgs::msg::Empty());
+              EXPECT_TRUE(log_has("the vehicle brakes and forgets its goal"));
+            }),
+            0);
+}
+
+TEST_F(Ros2, RefusesParametersByName) {
+  bus().parameters["cell"] = -1.0;
   EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(log_has("parameter cell = -1 m is refused: allowed are from 0.02 to 2 m"));
+  bus().parameters.erase("cell");
+  bus().parameters["output"] = std::string("joystick");
+  EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(log_has("parameter output = \"joystick\" is refused"));
+}
+
+TEST_F(Ros2, FollowsItsLifecycle) {
+  bus().parameters["autostart"] = false;
+  ASSERT_EQ(run([] {}), 0);
+  rclcpp::the_bus() = std::make_unique<rclcpp::Bus>();
+  Node node;
+  EXPECT_EQ(node.configure().id(), 2);
+  bus().deliver("pose", pose_at(0, 0, 1));
+  EXPECT_EQ(bus().count("command/trajectory"), 0);
+  EXPECT_EQ(node.activate().id(), 3);
+  bus().set_clock(bus().now() + 2 * kTick);
+  EXPECT_GT(bus().count("command/trajectory"), 0);
+  EXPECT_EQ(node.deactivate().id(), 2);
+  EXPECT_EQ(node.cleanup().id(), 1);
+  EXPECT_EQ(node.configure().id(), 2);
 }
 
 }  // namespace

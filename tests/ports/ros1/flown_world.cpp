@@ -1,0 +1,283 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros1/flown_world.hpp"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/callback_queue.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "host/flight/assumed_ball.hpp"
+#include "host/flight/flight_recorder.hpp"
+
+namespace tern_test {
+namespace {
+
+constexpr double kStuck = 40.0;   // seconds at rest
+constexpr double kMargin = 0.01;  // m that the margin is above the vehicle's error: for extrapolation between setpoints
+
+ros::Time time_of(std::int64_t ns) {
+  ros::Time time;
+  time.fromNSec(static_cast<std::uint64_t>(ns));
+  return time;
+}
+
+/// The camera looks ahead; its own axes are x right, y down, z ahead.
+tf2_msgs::TFMessage mounting() {
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  auto& t = message.transforms[0];
+  t.header.frame_id = "base_link";
+  t.child_frame_id = "camera_optical";
+  t.transform.rotation.w = 0.5;
+  t.transform.rotation.x = t.transform.rotation.z = -0.5;
+  t.transform.rotation.y = 0.5;
+  return message;
+}
+
+/// A window around the start that the world's height fits in.
+tern::Vec3 window_of(const tern_host::FlightWorld& world) {
+  const tern::Box& b = world.boundary;
+  const double half = std::max(world.start.z - b.lower.z, b.upper.z - world.start.z) + 2.0 * world.settings.cell;
+  return {world.settings.window.x, world.settings.window.y, 2.0 * half};
+}
+
+/// As far around the start as space is truly free, on the node's voxels.
+double free_radius_of(const tern_host::FlightWorld& world) {
+  const tern_host::FlightSettings& s = world.settings;
+  const tern::Vec3 window = window_of(world);
+  tern::GridSpec grid{};
+  grid.cell = s.cell;
+  grid.origin = {world.start.x - 0.5 * window.x, world.start.y - 0.5 * window.y, world.start.z - 0.5 * window.z};
+  grid.radius = s.body_radius + s.pose_margin;
+  grid.tracking_margin = kMargin + s.tracking_margin;
+  return tern_host::assumed_radius(world, grid, grid.radius + grid.tracking_margin + 6.0 * s.cell);
+}
+
+}  // namespace
+
+FlownWorld::FlownWorld(const std::string& member, const Spoilt& spoilt)
+    : world_(tern_host::read_flight_world(member, {})), spoilt_(spoilt), noise_(world_.settings.seed) {
+  setpoint_.sample.position = world_.start;
+  setpoint_.yaw = std::atan2(world_.goal.y - world_.start.y, world_.goal.x - world_.start.x);
+  vehicle_ = tern_host::make_vehicle(tern_host::vehicle_settings_of(world_.settings), setpoint_);
+  clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
+  image_ = node_.advertise<sensor_msgs::Image>("camera/image", 10);
+  lens_ = node_.advertise<sensor_msgs::CameraInfo>("camera/camera_info", 10);
+  odometry_ = node_.advertise<nav_msgs::Odometry>("odometry", 100);
+  goal_ = node_.advertise<geometry_msgs::PoseStamped>("goal", 1);
+  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+  const auto quick = ros::TransportHints().tcpNoDelay();
+  setpoints_ = node_.subscribe("command/trajectory", 100, &FlownWorld::on_setpoint, this, quick);
+  diagnostics_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "diagnostics", 4,
+      [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& m) { told_ = m->status.at(0).message; });
+  tf_.publish(mounting());
+}
+
+void FlownWorld::set_parameters() const {
+  const tern_host::FlightSettings& s = world_.settings;
+  const tern::Vec3 window = window_of(world_);
+  const std::map<std::string, double> parameters = {{"cell", s.cell},
+                                                    {"window_x", window.x},
+                                                    {"window_y", window.y},
+                                                    {"window_z", window.z},
+                                                    {"radius", s.body_radius + s.pose_margin},
+                                                    {"tracking_margin", kMargin + s.tracking_margin},
+                                                    {"pose_margin", 0.0},
+                                                    {"angle_margin", 0.0},
+                                                    {"range", s.sensor_range},
+                                                    {"depth_margin", s.depth_margin + s.depth_noise * s.sensor_range},
+                                                    {"free_radius", free_radius_of(world_)},
+                                                    {"speed", s.v_max},
+                                                    {"climb", s.v_max},
+                                                    {"sink", s.v_max},
+                                                    {"acceleration", s.a_max},
+                                                    {"acceleration_z", s.a_max},
+                                                    {"jerk", s.j_max},
+                                                    {"horizon", 0.8 * s.sensor_range},
+                                                    {"yaw_rate", s.yaw_rate},
+                                                    {"yaw_acceleration", s.yaw_acceleration},
+                                                    {"view", s.fov_horizontal},
+                                                    {"setpoint_rate", 100.0},
+                                                    {"display_rate", 20.0},
+                                                    {"camera/most", 1000.0},
+                                                    {"camera/least", 0.1},
+                                                    {"heading_jump", 1.0}};
+  for (const auto& [name, value] : parameters) ros::param::set("/tern/" + name, value);
+  ros::param::set("/use_sim_time", true);
+}
+
+bool FlownWorld::connect() {
+  for (int k = 0; k < 2000; ++k) {
+    if (clock_.getNumSubscribers() > 0 && image_.getNumSubscribers() > 0 && lens_.getNumSubscribers() > 0 &&
+        odometry_.getNumSubscribers() > 0 && goal_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0 &&
+        setpoints_.getNumPublishers() > 0 && diagnostics_.getNumPublishers() > 0) {
+      return true;
+    }
+    ros::spinOnce();
+    ros::WallDuration(0.01).sleep();
+  }
+  return false;
+}
+
+Flown FlownWorld::fly() {
+  int before_goal = 50;  // ticks: so that pose and frames are there
+  publish_clock();
+  ros::WallDuration(0.1).sleep();  // the clock's topic is not the others'
+  while (flown_.end == "timeout" && seconds() < world_.settings.time_limit && flown_.late < 100) {
+    publish_pose();
+    publish_frame();
+    publish_clock();
+    if (before_goal-- == 0) publish_goal();
+    if (!wait_for_setpoint()) ++flown_.late;
+    move();
+    const std::string end = judge();
+    if (!end.empty()) flown_.end = end;
+  }
+  if (flown_.late >= 100) flown_.end = "silent";
+  flown_.time = seconds();
+  return flown_;
+}
+
+double FlownWorld::yaw() const {
+  return setpoint_at(seconds()).yaw;
+}
+
+void FlownWorld::publish_clock() {
+  rosgraph_msgs::Clock clock;
+  clock.clock = time_of(now_);
+  clock_.publish(clock);
+}
+
+void FlownWorld::publish_pose() {
+  if (spoilt_.jump > 0.0 && seconds() > 3.0) jumped_.y = spoilt_.jump;
+  if (noise_.chance(spoilt_.share)) return;
+  nav_msgs::Odometry odometry;
+  odometry.header.frame_id = "map";
+  odometry.child_frame_id = "base_link";
+  odometry.header.stamp = time_of(now_);
+  const tern::Vec3 p = vehicle_->estimate();
+  odometry.pose.pose.position.x = p.x + jumped_.x;
+  odometry.pose.pose.position.y = p.y + jumped_.y;
+  odometry.pose.pose.position.z = p.z + jumped_.z;
+  odometry.pose.pose.orientation.w = std::cos(0.5 * yaw());
+  odometry.pose.pose.orientation.z = std::sin(0.5 * yaw());
+  odometry_.publish(odometry);
+  if (noise_.chance(spoilt_.share)) odometry_.publish(odometry);
+  if (noise_.chance(spoilt_.share)) odometry_.publish(earlier_);
+  earlier_ = odometry;
+}
+
+void FlownWorld::publish_frame() {
+  const tern_host::FlightSettings& s = world_.settings;
+  const auto latency = static_cast<std::int64_t>(1e9 * s.sensor_latency);
+  while (!on_the_way_.empty() &&
+         static_cast<std::int64_t>(on_the_way_.front().header.stamp.toNSec()) + latency <= now_) {
+    image_.publish(on_the_way_.front());
+    on_the_way_.pop_front();
+  }
+  if (static_cast<double>(frames_) > seconds() * s.sensor_hz) return;
+  ++frames_;
+  const tern_host::DepthFrame frame = tern_host::take_frame(world_, vehicle_->position(), yaw(), now_, noise_);
+  sensor_msgs::CameraInfo info;
+  info.header.stamp = time_of(now_);
+  info.header.frame_id = "camera_optical";
+  info.width = static_cast<std::uint32_t>(frame.view.width);
+  info.height = static_cast<std::uint32_t>(frame.view.height);
+  info.K = {frame.view.fx, 0.0, frame.view.cx, 0.0, frame.view.fy, frame.view.cy, 0.0, 0.0, 1.0};
+  lens_.publish(info);
+  sensor_msgs::Image image;
+  image.header = info.header;
+  image.width = info.width;
+  image.height = info.height;
+  image.encoding = "32FC1";
+  image.step = 4 * image.width;
+  image.data.resize(4 * frame.depths.size());
+  std::memcpy(image.data.data(), frame.depths.data(), image.data.size());
+  if (noise_.chance(spoilt_.share)) return;
+  if (noise_.chance(spoilt_.share)) image.header.stamp = time_of(now_ - 20 * kTick);
+  if (noise_.chance(spoilt_.share)) image.height /= 2;
+  if (noise_.chance(spoilt_.share)) image.data.clear();
+  on_the_way_.push_back(image);
+  if (noise_.chance(spoilt_.share)) on_the_way_.push_back(image);
+}
+
+void FlownWorld::publish_goal() {
+  geometry_msgs::PoseStamped goal;
+  goal.header.frame_id = "map";
+  goal.pose.position.x = world_.goal.x;
+  goal.pose.position.y = world_.goal.y;
+  goal.pose.position.z = world_.goal.z;
+  goal.pose.orientation.w = 1.0;
+  goal_.publish(goal);
+}
+
+void FlownWorld::on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& message) {
+  const auto& point = message.points.at(0);
+  const auto& p = point.transforms.at(0).translation;
+  const auto& q = point.transforms[0].rotation;
+  const auto& v = point.velocities.at(0).linear;
+  const auto& a = point.accelerations.at(0).linear;
+  setpoint_stamp_ = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  // Before the flight somebody else holds the vehicle, and setpoints are where it is.
+  if (told_.empty() || told_ == "no pose" || told_ == "ready") return;
+  setpoint_time_ = 1e-9 * static_cast<double>(setpoint_stamp_ - begin_);
+  setpoint_.sample = {{p.x - jumped_.x, p.y - jumped_.y, p.z - jumped_.z}, {v.x, v.y, v.z}, {a.x, a.y, a.z}, {}, {}};
+  const double yaw = 2.0 * std::atan2(q.z, q.w);
+  setpoint_.yaw += std::remainder(yaw - setpoint_.yaw, 2.0 * std::acos(-1.0));
+  setpoint_.yaw_rate = point.velocities[0].angular.z;
+}
+
+/// The setpoint for now: the clock stands still until it is there.
+bool FlownWorld::wait_for_setpoint() {
+  for (int k = 0; k < 1000; ++k) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(2e-4));
+    if (setpoint_stamp_ >= now_) return true;
+  }
+  return false;
+}
+
+/// Between setpoints, as an autopilot extrapolates them.
+tern_host::Setpoint FlownWorld::setpoint_at(double t) const {
+  const double dt = std::clamp(t - setpoint_time_, -0.05, 0.2);
+  const auto& s = setpoint_.sample;
+  const auto at = [dt](double p, double v, double a) { return p + dt * (v + 0.5 * dt * a); };
+  tern_host::Setpoint setpoint = setpoint_;
+  setpoint.sample.position = {at(s.position.x, s.velocity.x, s.acceleration.x),
+                              at(s.position.y, s.velocity.y, s.acceleration.y),
+                              at(s.position.z, s.velocity.z, s.acceleration.z)};
+  setpoint.sample.velocity = {s.velocity.x + dt * s.acceleration.x, s.velocity.y + dt * s.acceleration.y,
+                              s.velocity.z + dt * s.acceleration.z};
+  setpoint.yaw += dt * setpoint_.yaw_rate;
+  return setpoint;
+}
+
+void FlownWorld::move() {
+  constexpr int kParts = 5;
+  for (int k = 1; k <= kParts; ++k) {
+    const double t = 1e-9 * static_cast<double>(now_ - begin_ + k * kTick / kParts);
+    vehicle_->fly_to(t, [this](double at) { return setpoint_at(at); });
+    flown_.clearance = std::min(flown_.clearance, tern_host::clearance(world_, vehicle_->position()));
+  }
+  now_ += kTick;
+  const tern::Vec3 p = vehicle_->position(), s = setpoint_at(seconds()).sample.position;
+  flown_.off = std::max(flown_.off, std::hypot(p.x - s.x, std::hypot(p.y - s.y, p.z - s.z)));
+}
+
+std::string FlownWorld::judge() {
+  if (flown_.clearance < world_.settings.body_radius) return "contact";
+  const tern::Vec3 &s = setpoint_.sample.position, &v = setpoint_.sample.velocity, &goal = world_.goal;
+  rested_ = std::hypot(v.x, std::hypot(v.y, v.z)) < 1e-3 ? rested_ + 1e-9 * kTick : 0.0;
+  const double away =
+      std::hypot(s.x + jumped_.x - goal.x, std::hypot(s.y + jumped_.y - goal.y, s.z + jumped_.z - goal.z));
+  if (away < 0.02 && rested_ > 0.2) return "reached";
+  return rested_ > kStuck ? "stuck" : "";
+}
+
+}  // namespace tern_test

@@ -1,0 +1,35 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// ros1_fly_world MEMBER [SPOILT JUMP]: sets the flight node's parameters, says "ready", waits for the node, flies the
+// world and prints one line of JSON. Exit status 0 if the goal was reached without contact.
+#include <cstdio>
+#include <cstdlib>
+
+#include "ros1/flown_world.hpp"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "world");
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: ros1_fly_world MEMBER [SPOILT JUMP]\n");
+    return 2;
+  }
+  tern_test::Spoilt spoilt;
+  if (argc > 2) spoilt.share = std::strtod(argv[2], nullptr);
+  if (argc > 3) spoilt.jump = std::strtod(argv[3], nullptr);
+  tern_test::FlownWorld world(argv[1], spoilt);
+  world.set_parameters();
+  std::printf("ready\n");
+  std::fflush(stdout);
+  if (!world.connect()) {
+    std::printf("{\"world\": \"%s\", \"end\": \"not connected\"}\n", argv[1]);
+    return 1;
+  }
+  const tern_test::Flown flown = world.fly();
+  std::printf(
+      "{\"world\": \"%s\", \"end\": \"%s\", \"time\": %.2f, \"clearance\": %.4f, \"off\": %.4f, \"late\": %llu, "
+      "\"told\": \"%s\"}\n",
+      argv[1], flown.end.c_str(), flown.time, flown.clearance, flown.off, static_cast<unsigned long long>(flown.late),
+      world.told().c_str());
+  return flown.end == "reached" ? 0 : 1;
+}
