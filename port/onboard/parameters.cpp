@@ -55,7 +55,7 @@ const std::vector<Parameter<Settings>> kParameters = {
   TERN_NUMBER("ceiling", "m", -999.0, 10000.0, fly.ceiling, "greatest height of the body's centre; 1000 or more: none"),
   TERN_NUMBER("yaw_rate", "rad/s", 0.01, 100.0, fly.yaw_rate, "limit"),
   TERN_NUMBER("yaw_acceleration", "rad/s^2", 0.01, 1000.0, fly.yaw_acceleration, "limit"),
-  TERN_NUMBER("view", "rad", 0.0, 6.2831853, fly.view, "horizontal field of view of the sensor; 0: it sees all around"),
+  TERN_NUMBER("field_of_view", "rad", 0.0, 6.2831853, fly.field_of_view, "horizontal field of view of the sensor; 0: it sees all around"),
   TERN_NUMBER("tick_rate", "Hz", 5.0, 500.0, fly.tick_rate, "ticks a second"),
   TERN_WHOLE("work_per_tick", "units", 256, 1000000, fly.work_per_tick, "work of a tick, about a thousand instructions each"),
   TERN_WHOLE("plan_work", "units", 256, 10000000, fly.plan_work, "work after which a plan is dropped"),

@@ -19,7 +19,7 @@ tern::FlightYawMode yaw_mode_of(const std::string& word) {
 Wish::Wish(const FlySettings& settings) {
   yaw_.mode = yaw_mode_of(settings.yaw);
   yaw_.acceleration_max = settings.yaw_acceleration;
-  yaw_.view = settings.view;
+  yaw_.field_of_view = settings.field_of_view;
   yaw_.heading = {1.0, 0.0};
 }
 

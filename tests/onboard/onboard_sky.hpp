@@ -38,7 +38,7 @@ inline tern_onboard::Settings settings_of(const tern_host::FlightWorld& world) {
   settings.fly.jerk = 0.0;
   settings.fly.yaw_rate = s.yaw_rate;
   settings.fly.yaw_acceleration = s.yaw_acceleration;
-  settings.fly.view = s.fov_horizontal;
+  settings.fly.field_of_view = s.fov_horizontal;
   return settings;
 }
 

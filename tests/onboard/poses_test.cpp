@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "onboard/onboard_sky.hpp"
+
 namespace {
 
 using tern_onboard::Fault;
@@ -14,8 +16,7 @@ using tern_onboard::Notices;
 using tern_onboard::PoseAt;
 using tern_onboard::Poses;
 using tern_onboard::StampedPose;
-
-constexpr std::int64_t kMs = 1000000;
+using tern_test::kMs;
 
 StampedPose pose_of(std::int64_t stamp, const tern::Vec3& position, double yaw = 0.0) {
   return {stamp, {position, {std::cos(0.5 * yaw), 0.0, 0.0, std::sin(0.5 * yaw)}}};

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "onboard/onboard_sky.hpp"
+
 namespace {
 
 using tern_onboard::DepthImage;
@@ -15,8 +17,8 @@ using tern_onboard::Notices;
 using tern_onboard::Poses;
 using tern_onboard::SensorKind;
 using tern_onboard::Sensors;
+using tern_test::kMs;
 
-constexpr std::int64_t kMs = 1000000;
 constexpr int kWidth = 80, kHeight = 60;
 
 /// A map of 12.8 x 12.8 x 6.4 m around a body at rest in its middle, with sensors.
@@ -120,8 +122,8 @@ TEST(Sensors, MakeLargeImagesSmallerByTheirLeastDepths) {
   const int camera = room.add_camera("camera", 4 * kWidth, 4 * kHeight);
   std::vector<float> depths = wall(4.5f, 4 * kWidth, 4 * kHeight);
   // One near pixel on the axis, and one without a measurement at the image's right edge.
-  depths[static_cast<std::size_t>(4 * kWidth * 2 * kHeight + 2 * kWidth)] = 2.1f;
-  depths[static_cast<std::size_t>(4 * kWidth * 2 * kHeight + 4 * kWidth - 1)] = 0.0f;
+  depths[static_cast<std::size_t>(4 * kWidth * (2 * kHeight - 1) + 2 * kWidth)] = 2.1f;
+  depths[static_cast<std::size_t>(4 * kWidth * (2 * kHeight - 1) + 4 * kWidth - 1)] = 0.0f;
   room.offer(camera, depths, room.now, 4 * kWidth, 4 * kHeight);
   room.enter();
   EXPECT_TRUE(room.blocked(2.1, -0.01));

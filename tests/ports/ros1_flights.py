@@ -35,9 +35,9 @@ def wait_for(port):
     raise RuntimeError("the master does not start")
 
 
-def end(process):
-    process.send_signal(signal.SIGINT)
-    process.wait(30)
+def end(process, how):
+    process.send_signal(how)
+    process.wait(60)
 
 
 def fly(options, member, environment):
@@ -55,7 +55,7 @@ def fly(options, member, environment):
     finally:
         for process in (node, world):
             if process is not None:
-                end(process)
+                end(process, signal.SIGINT)  # nodes write their logs' last lines
 
 
 def main():
@@ -85,7 +85,7 @@ def main():
             ends.append(flown["end"])
             print(json.dumps(flown), flush=True)
     finally:
-        end(master)
+        end(master, signal.SIGTERM)
     reached, contacts = ends.count("reached"), ends.count("contact")
     print(f"{options.family}: {len(ends)} flights, {reached} reached, {contacts} contacts")
     return 0 if contacts == 0 and reached >= options.least_reached * len(ends) else 1

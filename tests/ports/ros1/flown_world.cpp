@@ -103,7 +103,7 @@ void FlownWorld::set_parameters() const {
                                                     {"horizon", 0.8 * s.sensor_range},
                                                     {"yaw_rate", s.yaw_rate},
                                                     {"yaw_acceleration", s.yaw_acceleration},
-                                                    {"view", s.fov_horizontal},
+                                                    {"field_of_view", s.fov_horizontal},
                                                     {"setpoint_rate", 100.0},
                                                     {"display_rate", 20.0},
                                                     {"camera/most", 1000.0},

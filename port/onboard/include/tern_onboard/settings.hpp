@@ -49,7 +49,7 @@ struct FlySettings {
   std::string yaw = "unseen";
   double yaw_rate = 1.0;
   double yaw_acceleration = 2.0;
-  double view = 1.2;
+  double field_of_view = 1.2;
   double tick_rate = 100.0;
   double work_per_tick = 4000;
   double plan_work = 16000;
