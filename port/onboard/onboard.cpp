@@ -145,6 +145,7 @@ void Onboard::add_pose(const StampedPose& pose, std::int64_t now, std::uint32_t 
     return lose(Fault::kHeadingJump, now, "the estimated heading jumped: the map is wrong now, and the flight ends");
   }
   if (!taken) return;
+  pose_stamp_ = pose.stamp;
   if (status_.state != State::kFlying) {
     hold_.position = plus(hold_.position, poses_.offset());
     poses_.rebase();

@@ -60,6 +60,7 @@ void Onboard::set_back(std::int64_t now) {
   flight_.set_clock(now);
   time_ = now - spec_.tick;
   poses_.clear();
+  pose_stamp_ = now;
   sensors_.restart();
   flown_count_ = 0;
   notices_.bad(Fault::kClockBack, kNobody, now,
@@ -67,20 +68,17 @@ void Onboard::set_back(std::int64_t now) {
 }
 
 void Onboard::watch_poses(std::int64_t now) {
-  const StampedPose* newest = poses_.newest();
-  if (newest == nullptr) return;
-  const bool lost = 1e-9 * static_cast<double>(now - newest->stamp) > settings_.watch.pose_age;
+  if (status_.state == State::kNoPose) return;
+  const bool lost = 1e-9 * static_cast<double>(now - pose_stamp_) > settings_.watch.pose_age;
+  const bool flies = status_.state == State::kFlying;
   if (lost && !pose_lost_) {
-    notices_.bad(
-        Fault::kPoseLost, kNobody, now,
-        status_.state == State::kFlying ? "no poses come: the vehicle brakes until there are some" : "no poses come");
-    if (status_.state == State::kFlying) flight_.stop();
+    notices_.bad(Fault::kPoseLost, kNobody, now,
+                 flies ? "no poses come: the vehicle brakes until there are some" : "no poses come");
+    if (flies) flight_.stop();
     if (status_.state == State::kReady) status_.state = State::kNoPose;
   }
-  if (!lost && pose_lost_) {
-    notices_.good(Fault::kPoseLost, Fault::kPoseLost, kNobody, now, "poses come again");
-    if (status_.state == State::kFlying) send_wish();
-  }
+  if (!lost) notices_.good(Fault::kPoseLost, Fault::kPoseLost, kNobody, now, "poses come again");
+  if (!lost && pose_lost_ && flies) send_wish();
   pose_lost_ = lost;
 }
 

@@ -53,6 +53,92 @@ TEST(OnboardFlight, BrakesWithoutPosesAndGoesOnWithThem) {
   EXPECT_EQ(count(sky, Fault::kPoseLost), 1u);
 }
 
+TEST(OnboardFlight, SaysEachLossOnce) {
+  Sky sky("P25:20001");
+  ASSERT_TRUE(sky.begin().ok);
+  int said = 0;
+  for (int loss = 0; loss < 2; ++loss) {
+    sky.poses = true;
+    for (int k = 0; k < 200; ++k) sky.step();
+    sky.poses = false;
+    for (int k = 0; k < 100; ++k) sky.step();
+  }
+  for (const tern_onboard::Notice& notice : sky.onboard.take_notices()) {
+    said += notice.text == "no poses come: the vehicle brakes until there are some" ? 1 : 0;
+  }
+  EXPECT_EQ(said, 2);
+  EXPECT_EQ(count(sky, Fault::kPoseLost), 2u);
+}
+
+TEST(OnboardFlight, GoesOnWhereTheClockWasSetBack) {
+  Sky sky("P25:20001");
+  ASSERT_TRUE(sky.begin().ok);
+  for (int k = 0; k < 300; ++k) sky.step();
+  const tern::Vec3 before = sky.onboard.setpoint(sky.now).position;
+  sky.now -= 4000 * kMs;
+  sky.step();
+  EXPECT_LT(tern_onboard::length(tern_onboard::minus(sky.onboard.setpoint(sky.now).position, before)), 0.1);
+  EXPECT_EQ(sky.fly(60.0), FlightReason::kArrived);
+  EXPECT_GT(sky.least_clearance, sky.world.settings.body_radius);
+  EXPECT_EQ(count(sky, Fault::kClockBack), 1u);
+  // Without a pose on the new clock, it brakes.
+  sky.now -= 4000 * kMs;
+  sky.poses = false;
+  for (int k = 0; k < 100; ++k) sky.step();
+  EXPECT_EQ(count(sky, Fault::kPoseLost), 1u);
+}
+
+TEST(OnboardFlight, SkipsTicksThatAreLateAndSaysSo) {
+  Sky sky("P25:20001");
+  ASSERT_TRUE(sky.begin().ok);
+  for (int k = 0; k < 100; ++k) sky.step();
+  const std::uint64_t ticks = sky.onboard.status(sky.now).ticks;
+  sky.now += 200 * kMs;
+  sky.step();
+  EXPECT_EQ(sky.onboard.status(sky.now).ticks, ticks + 2);
+  EXPECT_EQ(sky.onboard.status(sky.now).ticks_skipped, 19u);
+  EXPECT_EQ(count(sky, Fault::kTicksSkipped), 1u);
+  EXPECT_EQ(sky.fly(60.0), FlightReason::kArrived);
+  EXPECT_GT(sky.least_clearance, sky.world.settings.body_radius);
+}
+
+TEST(OnboardFlight, HoldsThePlaceWhereTheAutopilotBeganToFollow) {
+  Sky sky("P25:20001");
+  sky.onboard.set_following(false);
+  sky.send_pose();
+  EXPECT_FALSE(sky.onboard.set_goal(sky.world.goal, sky.now).ok);
+  sky.onboard.set_following(true);
+  const tern::Vec3 held = sky.position;
+  sky.follows = false;
+  for (int k = 0; k < 10; ++k) {
+    sky.position.x += 0.01;  // drifts
+    sky.step();
+    EXPECT_EQ(sky.onboard.setpoint(sky.now).position.x, held.x);
+  }
+  ASSERT_TRUE(sky.onboard.set_goal(sky.world.goal, sky.now).ok);
+  EXPECT_NEAR(sky.onboard.setpoint(sky.now).position.x, held.x, 1e-9);
+  sky.onboard.set_following(false);
+  sky.position.x += 1.0;
+  for (int k = 0; k < 2; ++k) sky.step();
+  EXPECT_EQ(sky.onboard.setpoint(sky.now).position.x, sky.position.x);
+  EXPECT_EQ(sky.onboard.status(sky.now).state, State::kReady);
+}
+
+TEST(OnboardFlight, FliesAMissionPastItsPoints) {
+  Sky sky("P49:20001");
+  sky.send_pose();
+  const tern::Vec3 s = sky.position, g = sky.world.goal;
+  tern::Via middle{};
+  middle.position = tern_onboard::times(tern_onboard::plus(s, g), 0.5);
+  middle.tolerance = 2.5;
+  tern::Via end{};
+  end.position = g;
+  ASSERT_TRUE(sky.onboard.set_mission({middle, end}, tern::ViaPolicy::kSkip, sky.now).ok);
+  EXPECT_FALSE(sky.onboard.set_mission({}, tern::ViaPolicy::kSkip, sky.now).ok);
+  EXPECT_EQ(sky.fly(60.0), FlightReason::kArrived);
+  EXPECT_EQ(sky.onboard.status(sky.now).report.passed, 2);
+}
+
 TEST(OnboardFlight, EndsIfTheVehicleLeavesIt) {
   Sky sky("P25:20001");
   ASSERT_TRUE(sky.begin().ok);
