@@ -39,7 +39,7 @@ inline Bounds make_optional_bounds(const Vec3& most, double horizontal) {
   return bounds;
 }
 
-/// True if the bounds limit anything: some value lies outside them.
+/// True if some value lies outside the bounds. An axis without an upper limit must have no lower limit.
 inline bool limits_anything(const Bounds& bounds) {
   return bounds.horizontal > 0.0 || bounds.upper.x < kUnlimited || bounds.upper.y < kUnlimited ||
          bounds.upper.z < kUnlimited;
@@ -70,7 +70,7 @@ inline double gauge(const Bounds& bounds, const Vec3& value) {
   return larger(result, square_root(value.x * value.x + value.y * value.y) / bounds.horizontal);
 }
 
-/// The limits of the same flight backwards in time. Velocities and jerks change sign, accelerations do not; the limits
+/// The limits for flying a trajectory backwards in time. Velocities and jerks change sign, accelerations do not. Limits
 /// of jerk are symmetrical.
 inline MotionLimits backwards(const MotionLimits& limits) {
   MotionLimits result = limits;

@@ -12,7 +12,6 @@ namespace tern {
 #ifdef TERN_CAPACITY_TEST
 bool is_full(bool full, const char* file = __builtin_FILE(), int line = __builtin_LINE()) noexcept;
 #else
-/// True if `full`.
 constexpr bool is_full(bool full) noexcept {
   return full;
 }

@@ -13,8 +13,8 @@ constexpr double kBeyondAnyMap = 1e100;
 /// lies.
 constexpr double kEndless = 1e250;
 /// Rounding error of a sum of products, relative to their sizes: 2^-48 in doubles, 2^-75 in twice their precision.
-/// Products are accurate to 2^-52 and 2^-102. A line's points are less accurate, the more so the smaller the angle
-/// between its planes.
+/// Products are accurate to 2^-52 and 2^-102. The smaller the angle between two planes, the less accurate are the
+/// points of their line.
 constexpr double kQuickRounding = 1.0 / 281474976710656.0;
 constexpr double kRounding = 1.0 / 37778931862957161709568.0;
 
@@ -38,7 +38,7 @@ bool CommonPoint::breaks(const Wall& wall, const Place& p) noexcept {
   return (dot(exact(wall.normal), p) - wall.offset).high > kRounding * size;
 }
 
-/// Cuts the line to its part in the half-space; false if it has none.
+/// Cuts the line to its part in the half-space. False if no part of it lies there.
 bool CommonPoint::shorten(const Wall& wall, Line& line) noexcept {
   const Place normal = exact(wall.normal);
   const DoubleDouble slope = dot(normal, line.along);
@@ -52,7 +52,7 @@ bool CommonPoint::shorten(const Wall& wall, Line& line) noexcept {
   return !(line.upper < line.lower);
 }
 
-/// Moves the nearest point onto the line in which two planes meet: to its nearest point in all half-spaces before
+/// Sets nearest_ to the point nearest to the centre on the line in which two planes meet, within all half-spaces before
 /// `other`. False if there is none.
 bool CommonPoint::move_onto(int plane, int other) noexcept {
   const Place a = exact(walls_[plane].normal);
@@ -73,7 +73,8 @@ bool CommonPoint::move_onto(int plane, int other) noexcept {
   return true;
 }
 
-/// Moves the nearest point onto a plane: to its nearest point in all half-spaces before it. False if there is none.
+/// Sets nearest_ to the point nearest to the centre on a plane, within all half-spaces before that plane. False if
+/// there is none.
 bool CommonPoint::move_onto(int plane) noexcept {
   const Place normal = exact(walls_[plane].normal);
   nearest_ = (walls_[plane].offset / dot(normal, normal)) * normal;

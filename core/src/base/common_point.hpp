@@ -3,8 +3,8 @@
 //
 // Finds out whether half-spaces have a point in common. Half-spaces are added one by one, and their common point
 // nearest to a given point is kept up to date (Seidel's incremental method). If a new half-space does not contain the
-// nearest point, the new nearest point lies on its plane. There, the earlier half-spaces are tried again in the same
-// way, first on the plane and then on a line. All numbers have twice the precision of doubles, because users' normals
+// nearest point, the new nearest point lies on its plane. The earlier half-spaces are then tried again: first on that
+// plane, then on its lines with other planes. All numbers have twice the precision of doubles, because users' normals
 // may be parallel but for rounding.
 #ifndef TERN_BASE_COMMON_POINT_HPP
 #define TERN_BASE_COMMON_POINT_HPP
@@ -21,7 +21,7 @@ namespace tern {
 class CommonPoint {
  public:
   /// Finds the common point nearest to `center`; world frame, metres. Each half-space is enlarged by `margin`. `scale`
-  /// is how far from the centre planes are expected, > 0.
+  /// > 0: the expected distance of the planes from the centre.
   CommonPoint(const Vec3& center, double margin, double scale) noexcept;
 
   /// Adds a half-space. Its normal and offset must be finite, and the normal's length within the bounds for fences.

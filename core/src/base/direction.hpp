@@ -30,7 +30,7 @@ constexpr Voxel offset(int d) {
   return {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
 }
 
-/// Axes that a direction moves along: 1 straight, 2 and 3 diagonal, 0 for kHere.
+/// Number of axes that a direction moves along: 1 straight, 2 or 3 diagonal, 0 for kHere.
 constexpr int axes_of(int d) {
   const Voxel o = offset(d);
   return (o.x != 0 ? 1 : 0) + (o.y != 0 ? 1 : 0) + (o.z != 0 ? 1 : 0);
@@ -49,7 +49,7 @@ constexpr Cost move_cost(int d) {
   return axes_of(d) == 1 ? kStraightCost : (axes_of(d) == 2 ? kPlaneDiagonalCost : kSpaceDiagonalCost);
 }
 
-/// A move of the search: what it changes, and what it costs.
+/// A move of the search.
 struct Move {
   Voxel step;
   Cost cost;

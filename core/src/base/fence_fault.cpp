@@ -10,9 +10,9 @@
 namespace tern {
 namespace {
 
-/// Half-spaces that miss each other by at most this share of the map's diagonal count as a flat fence, not as an empty
-/// one. The planner moves the planes of keep-outs out by twice as much (world/corners.cpp), so that it also finds
-/// points in every fence that is not empty here.
+/// Each half-space moves out by this share of the map's scale. A fence is empty only if its half-spaces then still have
+/// no common point. The planner moves the planes of keep-outs out by twice as much (world/corners.cpp), so that it
+/// finds points in every fence that is accepted here.
 constexpr double kFlat = 5e-14;
 
 /// Centre and size of the map, the `center` and `scale` of a CommonPoint.
@@ -21,7 +21,7 @@ struct Around {
   double scale;
 };
 
-/// Measures the whole grid, because what counts as flat must not depend on the boundary or on keep-ins.
+/// Measures the whole grid, because the answer must not depend on the boundary or on keep-ins.
 Around around(const GridSpec& grid) {
   const Vec3 size{grid.dims.x * grid.cell, grid.dims.y * grid.cell, grid.dims.z * grid.cell};
   return {grid.origin + 0.5 * size, length(size) + grid.clearance()};
@@ -68,7 +68,7 @@ Status check_plane(const Halfspace& plane) {
   return finite(plane.offset / norm) ? Status::kOk : Status::kNonFiniteInput;
 }
 
-/// Checks one fence by itself. `left`: the number of half-spaces for which there is room.
+/// Checks one fence by itself. There is room for `left` half-spaces.
 Status check_fence(const Fence& fence, std::int32_t left) {
   if (!well_formed(fence)) return Status::kInvalidArgument;
   if (is_full(fence.count > left)) return Status::kFencePlanesFull;

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds what is wrong with a caller's fences. Plans, flights and proofs all use this check, so they give the same
-// answer.
+// Finds the fault in a caller's fences. Plans, flights and proofs all use this check, so they give the same answer.
 #ifndef TERN_BASE_FENCE_FAULT_HPP
 #define TERN_BASE_FENCE_FAULT_HPP
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Vectors and matrices: fixed-size types of Eigen, used for sums, differences, multiples and blocks, whose results are
-// unique. Operations that add up coefficients (scalar products, lengths, products of matrices) are written here
-// instead, because Eigen does not promise the order of its sums.
+// Vectors and matrices of fixed size. Eigen computes sums, differences, multiples and blocks, because there is only one
+// order to compute them in. Scalar products, lengths and products of matrices are written here, because Eigen does not
+// promise the order of their sums.
 #ifndef TERN_BASE_LINEAR_HPP
 #define TERN_BASE_LINEAR_HPP
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The only arithmetic of the core: + - * / sqrt, in a fixed order. base/linear.hpp goes on with vectors and matrices.
+// The only arithmetic of the core: + - * / sqrt, in a fixed order. base/linear.hpp has that of matrices.
 #ifndef TERN_BASE_MATH_HPP
 #define TERN_BASE_MATH_HPP
 
@@ -34,7 +34,7 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Some unit vector at right angles to a unit vector: from the coordinate axis that it leans on least.
+/// Some unit vector at right angles to `unit`: the cross product with the axis of its smallest component, normalised.
 inline Vec3 perpendicular(const Vec3& unit) {
   const double x = absolute(unit.x);
   const double y = absolute(unit.y);
@@ -81,7 +81,7 @@ inline bool same(const Vec3& a, const Vec3& b) {
   return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
-/// True for every finite value; no libm, and not optimised away because the core never sees -ffast-math.
+/// Needs no libm. Relies on a build without -ffast-math, which would optimise it away.
 inline bool finite(double x) {
   return x - x <= 0.0;
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The outcome of each test depends on one compiler flag only. A constant that is not exact in single precision is
-// written as its bits, which no flag can change.
+// The outcome of each test depends on one compiler flag, or one mode of the processor. A constant that is not exact in
+// single precision is written as its bits, which no flag can change.
 #include "tern/self_test.hpp"
 
 #include <cstdint>
@@ -72,13 +72,13 @@ bool arithmetic_is_ieee() {
   return specials && roots && !finite(infinity);
 }
 
-/// 49 / 49 is 1; 49 times the rounded reciprocal of 49 is the number below.
+/// 49 / 49 is 1; 49 times the rounded reciprocal of 49 is the number before 1.
 bool multiplies_by_reciprocals() {
   return to_bits(opaque(49.0) / 49.0) != kOneBits;
 }
 
-/// -0 + 0 and 0 - 0 are +0. If the compiler may ignore the sign of zeros, they become the first operand and the
-/// negative of the second.
+/// -0 + 0 and 0 - 0 are +0. A compiler that ignores the sign of zeros replaces them by the first operand and by the
+/// negative of the second: -0.
 bool loses_signs_of_zeros() {
   return to_bits(opaque(-0.0) + 0.0) != 0 || to_bits(0.0 - opaque(0.0)) != 0;
 }

@@ -7,17 +7,17 @@
 
 namespace tern {
 
-/// A start, goal or via has room, but no voxel near it is free.
+/// True if a start, goal or via has room, but no voxel near it is free.
 inline bool is_too_narrow(Status status) {
   return status == Status::kStartTooNarrow || status == Status::kGoalTooNarrow || status == Status::kViaTooNarrow;
 }
 
-/// No voxel near the goal is free, whether it has room or not.
+/// True if no voxel near the goal is free, whether the goal has room or not.
 inline bool lacks_goal_voxel(Status status) {
   return status == Status::kGoalOccupied || status == Status::kGoalTooNarrow;
 }
 
-/// No voxel near a via is free, whether it has room or not.
+/// True if no voxel near a via is free, whether the via has room or not.
 inline bool lacks_via_voxel(Status status) {
   return status == Status::kViaOccupied || status == Status::kViaTooNarrow;
 }

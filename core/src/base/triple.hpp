@@ -7,7 +7,6 @@
 
 namespace tern {
 
-/// A vector of either number type.
 template <class Real>
 struct Triple {
   Real x;

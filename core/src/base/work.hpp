@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What loops spend. Each piece of work spends the operations of its primitives, times sizes and turns that it knows
-// anyway: `work.spend(ops::kDot * planes)`. One call a loop or a piece, none in an innermost turn.
+// The prices of primitives. A piece of work spends the operations of its primitives, times sizes and turns that it
+// knows anyway: `work.spend(ops::kDot * planes)`. It calls spend() once a loop, never in an innermost turn.
 #ifndef TERN_BASE_WORK_HPP
 #define TERN_BASE_WORK_HPP
 
@@ -14,21 +14,21 @@ namespace tern {
 
 using Operations = std::int64_t;
 
-/// Operations of the primitives that all loops are made of, read off the instructions that they compile to on aarch64.
-/// The timing gate compares units with instructions, stage by stage (docs/timing.md).
+/// Operations of the primitives that all loops are made of, counted from their instructions on aarch64. The timing gate
+/// compares units with instructions, stage by stage (docs/timing.md).
 namespace ops {
 
 /// A multiply-add, not contracted: a load, a multiplication and an addition.
 constexpr Operations kMultiplyAdd = 3;
-/// An element of a dense loop over doubles, two at a time: half of two loads, of a multiplication, an addition, a
+/// An element of a dense loop that takes two doubles at a time: half of two loads, a multiplication, an addition and a
 /// store.
 constexpr Operations kElement = 2;
 /// A turn that copies, compares or clears one record: the loads, the stores, and the branch.
 constexpr Operations kTurn = 8;
 /// A word of a layer of voxels: read, masked or combined, and tested or written.
 constexpr Operations kWord = 5;
-/// A point against a half-space, or a coordinate of a point against a box, three times: three multiply-adds, the loads
-/// of both, and the comparison.
+/// A point against a half-space, or its three coordinates against a box: three multiply-adds, the loads of both, and
+/// the comparison.
 constexpr Operations kDot = 15;
 /// A row of voxels: its address, the range of its words from coordinates, and its first word.
 constexpr Operations kRow = 60;
@@ -41,7 +41,6 @@ constexpr Operations kCurve = 8 * 8 * 3 * kMultiplyAdd;
 
 }  // namespace ops
 
-/// The lesser of two amounts.
 constexpr std::uint32_t least(std::uint32_t a, std::uint32_t b) noexcept {
   return b < a ? b : a;
 }
@@ -51,7 +50,7 @@ inline void raise(std::int32_t& mark, std::int32_t value) noexcept {
   if (mark < value) mark = value;
 }
 
-/// The part of some work that a job may spend. What the job spends leaves the whole once the share ends.
+/// The part of some work that a job may spend. When the share ends, the whole pays for the job.
 class Share {
  public:
   Share(Work& whole, Operations most) noexcept : part(whole.within(most)), whole_(&whole), given_(part.operations()) {}

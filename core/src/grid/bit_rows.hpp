@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A grid as the core reads it: rows of words, one bit a voxel. Computes where a row, or a bit of it, lies.
+// The core reads a grid as rows of words, one bit a voxel. All masks of bits and all indices of rows are made here.
 #ifndef TERN_GRID_BIT_ROWS_HPP
 #define TERN_GRID_BIT_ROWS_HPP
 
@@ -45,7 +45,7 @@ inline bool meets(const IndexRange& a, const IndexRange& b) noexcept {
   return both.begin < both.end;
 }
 
-/// The bits of the word of voxel x: those from x on (bits_from) and those before x (bits_before).
+/// Masks of the word that holds voxel x: the bits from x on (bits_from), and those before x (bits_before).
 inline std::uint64_t bits_from(std::int32_t x) noexcept {
   return kAllBits << (x & 63);
 }
@@ -53,7 +53,7 @@ inline std::uint64_t bits_before(std::int32_t x) noexcept {
   return ~bits_from(x);
 }
 
-/// The bits of a row's word k that lie in a range that is not empty and meets the word.
+/// The bits of a row's word k that lie in a range. The range must not be empty, and must meet the word.
 inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexcept {
   std::uint64_t mask = kAllBits;
   if (k == range.begin >> 6) mask &= bits_from(range.begin);
@@ -61,7 +61,7 @@ inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexce
   return mask;
 }
 
-/// The bits of a row's word k that lie in any range; none if the range does not meet the word.
+/// The bits of a row's word k that lie in a range; none if the range is empty or does not meet the word.
 inline std::uint64_t bits_met(const IndexRange& range, std::int32_t k) noexcept {
   const IndexRange met = overlap(range, {kWordBits * k, kWordBits * (k + 1)});
   return met.begin < met.end ? bits_within(met, k) : 0;
@@ -87,15 +87,15 @@ inline std::uint64_t spread_bits(std::uint64_t before, std::uint64_t own, std::u
 /// planes along z.
 struct BitRows {
   const std::uint64_t* words;  ///< first word of row (0, 0)
-  std::int32_t row_words;      ///< from a row to the next along y
-  std::int32_t plane_rows;     ///< from a row to the next along z
+  std::int32_t row_words;      ///< words of a row
+  std::int32_t plane_rows;     ///< rows of a plane
 
-  /// Number of words before row (y, z). The row may lie outside the layer, so that differences of these numbers are
-  /// steps between rows.
+  /// Number of words before row (y, z). The row may lie outside the layer: index(0, 1) is the step from a plane to the
+  /// next.
   std::ptrdiff_t index(std::int32_t y, std::int32_t z) const noexcept {
     return (static_cast<std::ptrdiff_t>(z) * plane_rows + y) * row_words;
   }
-  /// Row (y, z), which lies in the layer.
+  /// Row (y, z). It must lie in the layer.
   const std::uint64_t* row(std::int32_t y, std::int32_t z) const noexcept { return words + index(y, z); }
 };
 
@@ -109,7 +109,7 @@ struct GridAccess {
     return static_cast<std::size_t>(obstacles(grid).index(0, grid.spec_.dims.z));
   }
 
-  /// The grid with another blocked layer: `words`, layer_words() of them, used as they are.
+  /// A view of the grid whose blocked layer is `words`: layer_words() words, used as they are.
   static Grid with_blocked(const Grid& grid, std::uint64_t* words) noexcept {
     Grid view = grid;
     view.blocked_ = words;

@@ -19,7 +19,7 @@ constexpr std::int32_t kStripRows = kWordBits;
 /// The most strips that a plane has.
 constexpr std::int32_t kMaxStrips = (kMaxDimension + kStripRows - 1) / kStripRows;
 
-/// The number of a content after one more change: a hash of all changes since the grid was bound. Equal numbers mean
+/// The content number after one more change. It is a hash of all changes since the grid was bound. Equal numbers mean
 /// equal histories, and therefore equal contents, except with a probability of 2^-64.
 constexpr std::uint64_t content_after(std::uint64_t content, std::uint64_t change) noexcept {
   content ^= change;
@@ -28,15 +28,15 @@ constexpr std::uint64_t content_after(std::uint64_t content, std::uint64_t chang
   return content ^ content >> 32;
 }
 
-/// Where some planes of a change map have bits set: the ranges of planes and words, which are empty if no bit is set,
-/// and the rows of each strip. `rows` is the OR over all these planes and words.
+/// The extent of the bits set in some planes of a change map. The ranges of planes and words are empty if no bit is
+/// set. `rows` has the rows of each strip, ORed over all these planes and words.
 struct ChangeExtent {
   IndexRange planes;
   IndexRange words;
   std::uint64_t rows[kMaxStrips];
 };
 
-/// The change map of a grid. Bit y - 64 strip of word (z, strip, k) is set if obstacles changed in row (y, z) that can
+/// The change map of a grid. Bit y - 64 strip of word (z, strip, k) is set if row (y, z) has changed obstacles that can
 /// block voxels of word k. So a change near a word's end is noted in both words. Plane z also has a bit of its own, set
 /// if the plane has any change. Bits past the grid's last row have no meaning.
 class Changes {

@@ -21,17 +21,17 @@ struct Probe {
 };
 
 /// If the radius exceeds the tolerance, the boxes stay as they are. If it does not, the segment may touch a surface:
-/// boxes shrink by the tolerance minus the radius, and the segment must not meet what remains.
+/// boxes shrink by the tolerance minus the radius, and the segment must not meet the shrunk boxes.
 Probe make_probe(const GridSpec& spec, const Vec3& a, const Vec3& b, double radius, double tolerance) {
   const double direction = direction_tolerance(spec);
   if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance), direction};
-  // A little less than the whole tolerance, because the measured distance is rounded.
+  // The segment may enter a box by a little less than the tolerance, because the measured distance is rounded.
   constexpr double kHair = 0.05;
   return {a, b, tolerance - radius, kHair * kHair * tolerance * tolerance, direction};
 }
 
-/// The corners of a shrunk box lie deeper in the box than the tolerance. Near them, the plane between segment and box
-/// decides.
+/// The corners of a shrunk box lie deeper in the box than the tolerance. Near a corner, the best plane between segment
+/// and box decides.
 bool keeps_clear(const Probe& probe, const Box& box) {
   const double s = probe.shrink;
   const Box shrunk{{box.lower.x + s, box.lower.y + s, box.lower.z + s},
@@ -60,8 +60,8 @@ IndexRange voxels_near(const GridSpec& spec, double from, double to, double radi
   return {begin, end};
 }
 
-/// A bundle of rows that are ANDed: `deep` planes of `wide` rows each, both 1 or 2. Bundles of more than one row close
-/// the gap of width zero between neighbours, which only a radius of zero could pass.
+/// A bundle of rows, ANDed: `deep` planes of `wide` rows each, both 1 or 2. Bundles of more than one row close the gap
+/// of width zero between neighbouring cubes. Only a radius of zero could pass it.
 struct Bundle {
   std::int32_t wide;
   std::int32_t deep;
@@ -134,7 +134,7 @@ bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius
          bundles_clear(grid, probe, {2, 2}, radius);
 }
 
-/// Without a radius, rows are read four times over: alone, and in bundles of two and four.
+/// With radius 0, rows are read four times: alone, in bundles of two along y, of two along z, and of four.
 Operations clear_operations(const GridSpec& spec, const Vec3& way, double radius) noexcept {
   // A line may lead far out of the grid; only rows of the grid are read.
   const auto crossed = [&](double along, std::int32_t count) {

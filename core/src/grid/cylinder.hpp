@@ -19,13 +19,13 @@ inline Status check(const Cylinder& cylinder) {
   return cylinder.radius >= 0.0 && cylinder.height >= 0.0 ? Status::kOk : Status::kInvalidArgument;
 }
 
-/// Heights of a grid that the cylinder meets.
+/// The planes that the cylinder meets.
 inline IndexRange planes_met(const GridSpec& spec, const Cylinder& cylinder) {
   return voxels_met(spec, cylinder.base.z, cylinder.base.z + cylinder.height, 2);
 }
 
-/// Calls visit(y, x) for each row that the cylinder meets, with the range of its voxels along x. They are the same at
-/// every height. A row is as wide as the disc is where the row comes nearest to the axis.
+/// Calls visit(y, x) for each row that the cylinder meets in a plane; x is the range of the row's voxels. All planes
+/// have the same rows. The range is as wide as the disc at the row's point nearest to the axis.
 template <typename Visit>
 void visit_rows(const GridSpec& spec, const Cylinder& cylinder, Visit visit) {
   const Vec3& base = cylinder.base;

@@ -10,10 +10,10 @@
 namespace tern {
 namespace {
 
-/// The most t in (0, 1) at which a segment crosses the planes of a box's faces.
+/// The most crossings of a segment with the planes of a box's faces.
 constexpr int kMaxCrossings = 6;
 
-/// The sorted t between 0 and 1 at which the segment crosses a face's plane.
+/// Values of t in ascending order: the crossings with the planes of faces, and room for 0 and 1.
 struct Breaks {
   int count;
   double t[kMaxCrossings + 2];
@@ -26,7 +26,7 @@ void insert(Breaks& breaks, double t) {
   breaks.t[k] = t;
 }
 
-/// 0, the crossings in ascending order, 1: the ends of the pieces.
+/// The ends of the pieces: 0, the crossings in ascending order, 1.
 Breaks piece_ends(const Vec3& a, const Vec3& along, const Box& box) {
   Breaks breaks;
   breaks.count = 0;
@@ -43,7 +43,7 @@ Breaks piece_ends(const Vec3& a, const Vec3& along, const Box& box) {
   return breaks;
 }
 
-/// Half the squared distance's derivative on one piece: slope * t + offset, slope >= 0.
+/// Half the derivative of the squared distance on one piece: slope * t + offset, slope >= 0.
 struct Derivative {
   double slope;
   double offset;

@@ -27,7 +27,7 @@ double contact_tolerance(const GridSpec& spec) noexcept;
 
 /// Below this distance, in metres, the direction between the closest points of two solids is only rounding error. Above
 /// it, the unit vector of that direction is accurate to 1e-8. Voxels larger than a metre have coordinates with larger
-/// rounding errors, so the distance grows with them.
+/// rounding errors, so their tolerance is larger.
 double direction_tolerance(const GridSpec& spec) noexcept;
 constexpr double kMetricDirection = 1e-7;
 constexpr double kWorldUlps = 2.0;
@@ -36,8 +36,8 @@ constexpr double kLocalUlps = 4.0;
 /// The point of a closed box nearest to p; p itself if it is inside.
 Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept;
 
-/// Where a segment and a box are nearest to each other. If many pairs are equally near, this is the one nearest to the
-/// segment's beginning.
+/// The nearest points of a segment and a box. Of several pairs that are equally near, the one nearest to the segment's
+/// beginning.
 struct ClosestPair {
   Vec3 on_segment;
   Vec3 on_box;
@@ -50,19 +50,19 @@ struct ClosestPair {
 /// a face's plane. So at most seven pieces are minimised in closed form.
 ClosestPair segment_box_closest(const Vec3& a, const Vec3& b, const Box& box) noexcept;
 
-/// The closest pair's squared distance.
+/// The distance_squared of segment_box_closest().
 double segment_box_distance_squared(const Vec3& a, const Vec3& b, const Box& box) noexcept;
 
 /// True if the radius is >= 0 (not NaN), the point lies inside the grid's boundary, and every obstacle cube is at least
 /// `radius` away; both to within contact_tolerance(). With radius 0, the point may touch the surface of obstacles but
-/// not enter them. Obstacle cubes that share a face, an edge or a corner on all sides leave no gap between them. Reads
-/// at most the voxels within the radius.
+/// not enter them. Cubes that share a face leave no gap, nor do cubes on all sides of an edge or a corner. Reads only
+/// the voxels within the radius, and one more on each side.
 bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept;
 
-/// True if point_clear() holds for every point of the segment from a to b. Reads at most the voxels within the radius
-/// of its bounding box.
+/// True if point_clear() holds for every point of the segment from a to b. Reads only the voxels within the radius of
+/// its bounding box, and one more on each side.
 bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept;
-/// Operations of point_clear() for a point, or of segment_clear() along `way`: each row near it once.
+/// Operations of segment_clear() from a to a + way; of point_clear() if `way` is zero.
 Operations clear_operations(const GridSpec& spec, const Vec3& way, double radius) noexcept;
 
 /// The state of a search for the free voxel nearest to a point. Plain data; needs no initialisation before

@@ -20,8 +20,8 @@ constexpr std::size_t kHeaderWords = 8;
 /// First word of a storage that has been bound before.
 constexpr std::uint64_t kHeaderTag = 0x7465726E2D677264u;
 
-/// Each bind begins with the next multiple of this as its revision. That is later than any revision that the grid had
-/// before, even those counted through copies of it in storage that is gone.
+/// Each bind begins with the next multiple of this as its revision. It is later than every earlier revision of the
+/// grid, even one that a copy of the grid counted in storage that is gone.
 constexpr std::uint64_t kBindStep = std::uint64_t{1} << 32;
 
 Verdict invalid(Field field) {
@@ -123,7 +123,7 @@ std::uint64_t word_as_it_is(const std::uint64_t& word) {
   return *static_cast<const volatile std::uint64_t*>(&word);
 }
 
-/// The last voxel that a point on the boundary's upper face belongs to.
+/// The index of the last voxel inside the boundary. A point on the upper face belongs to it.
 std::int32_t last_index(double upper, double cell, std::int32_t count) {
   const std::int32_t last = ceil_index(upper / cell - kLatticeTolerance, 0, count) - 1;
   return last < 0 ? 0 : last;
@@ -145,7 +145,7 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   if (verdict.status != Status::kOk) return verdict.status;
   const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
-  // Every stage uses the same radius: one that is 0 for inflation is also 0 for the corridor.
+  // Inflation takes such a radius as 0. It is stored as 0, so that all stages do.
   if (spec.clearance() <= kClearTolerance) spec_.radius = spec_.tracking_margin = 0.0;
   local_boundary_ = boundary_in_grid(spec_);
   row_words_ = words_for(spec.dims.x);

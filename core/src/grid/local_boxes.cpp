@@ -20,7 +20,7 @@ std::int32_t clamp_index(double cells, std::int32_t count) {
   return static_cast<std::int32_t>(cells);
 }
 
-/// The words of a row that hold the range, and which bits of the outer ones belong to it.
+/// The words of a row that hold the range, with masks for the first and the last of them.
 struct Window {
   std::int32_t first_word;
   std::int32_t words;
@@ -47,7 +47,8 @@ Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, st
   return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
-/// For each word of the window, ORs the bits in which the rows differ from the rows `back` words before them.
+/// For kWords words of the window from `first` on, ORs the bits in which the rows differ from the rows `back` words
+/// before them.
 template <std::int32_t kWords>
 void add_differences(const Rows& rows, std::ptrdiff_t back, std::int32_t first, std::uint64_t* differences) {
   const std::uint64_t* row = rows.words + first;
@@ -64,7 +65,7 @@ void add_differences(const Rows& rows, std::ptrdiff_t back, std::int32_t first, 
   for (std::int32_t k = 0; k < kWords; ++k) differences[first + k] = any[k];
 }
 
-/// True if all rows have the same bits in the window as the rows `back` words before them. In a world of cuboids, most
+/// True if all rows have the same bits in the window as the rows `back` words before them. In a map of cuboids, most
 /// layers equal the one below, so the extraction spends most of its time here. `differences` has a word for each word
 /// of the window.
 bool all_equal(const Rows& rows, const Window& window, std::ptrdiff_t back, std::uint64_t* differences) {
@@ -134,8 +135,8 @@ bool open_rectangle(Layer& layer, std::int32_t x0, std::int32_t x1, std::int32_t
   return true;
 }
 
-/// Takes a row that differs from the row before. Rectangles whose run has gone end there, and new runs open new
-/// rectangles.
+/// Takes a row that differs from the row before. Closes the rectangles whose run has gone, and opens one for each new
+/// run.
 bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::int32_t y, const std::int32_t* open,
               std::int32_t* still_open) {
   int i = 0;
@@ -158,7 +159,8 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
   return true;
 }
 
-/// The rectangles of one layer, sorted by (y0, x0), because they open in that order. -1 if they do not fit.
+/// Finds the rectangles of one layer. They are sorted by (y0, x0), because they open in that order. Returns their
+/// number; -1 if they do not fit.
 int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles,
                      Work& work) {
   Layer layer{rectangles, 0, 0};
@@ -203,8 +205,8 @@ void grow_up(const LayerRectangle* layer, int count, std::int32_t end, const Box
   for (int j = 0; j < count; ++j) boxes.at[layer[j].box].upper[2] = end * boxes.cell;
 }
 
-/// Matches the rectangles of layer z with those below, both in the same order. A rectangle with the same footprint
-/// continues the box of the one below; any other begins a box. False if the boxes do not fit.
+/// Matches the rectangles of layer z with those below, both in the same order. A rectangle that equals one below
+/// continues its box; any other begins a box. False if the boxes do not fit.
 bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* layer, int count, const VoxelRange& range,
                 std::int32_t z, Boxes& boxes) {
   int j = 0;

@@ -3,8 +3,7 @@
 //
 // Merges the obstacles around one segment into a few solid boxes, directly from the words of the obstacle layer. A run
 // of bits along x grows into a rectangle over y if the next rows have the same run. Rectangles grow into boxes over z
-// in the same way. A world of cuboids becomes its cuboids again instead of thousands of voxels; noise becomes single
-// voxels.
+// in the same way. A map of cuboids gives a few cuboids, not thousands of voxels. Noise gives single voxels.
 #ifndef TERN_GRID_LOCAL_BOXES_HPP
 #define TERN_GRID_LOCAL_BOXES_HPP
 
@@ -60,9 +59,9 @@ struct ExtractScratch {
   std::uint64_t row[kMaxRowWords];               ///< the range's words of the current row
 };
 
-/// The voxels whose cubes meet `box`, or come closer to one of its faces than the grid's radius from outside. A face of
-/// `box` keeps all other voxels at least the radius away. Along x, the range has one more voxel on either side: a
-/// verifier of runs of bits then sees no run longer than the box that it went into.
+/// The voxels whose cubes meet `box` after each of its faces has moved out by the grid's radius. Along x, the range has
+/// one more voxel on either side: each run of obstacles that a proof takes as one box then lies in one of the boxes
+/// here.
 VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept;
 
 /// Merges the obstacle voxels of `range` into disjoint boxes, in the order of their lower corners by (z, y, x). Reads

@@ -47,7 +47,7 @@ IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bo
   return changed;
 }
 
-/// The end of the range that holds this voxel alone: one further on every axis.
+/// The end of the range that holds this voxel alone.
 Voxel past(const Voxel& voxel) {
   return {voxel.x + 1, voxel.y + 1, voxel.z + 1};
 }
@@ -63,8 +63,7 @@ std::uint64_t content_with(std::uint64_t content, const Voxel& begin, const Voxe
 
 }  // namespace
 
-/// Sets or clears the voxels from begin to before end on each axis, and notes what that may change in the blocked
-/// layer.
+/// Sets or clears the voxels [begin, end) on each axis, and notes the words of the blocked layer that may change.
 void Grid::set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept {
   for (std::int32_t z = begin.z; z < end.z; ++z) {
     for (std::int32_t y = begin.y; y < end.y; ++y) {

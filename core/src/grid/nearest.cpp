@@ -57,12 +57,13 @@ void offer_row(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z,
   if (after >= 0) offer(nearest, {after, y, z});
 }
 
-/// The indices at most k from the centre, of `count`.
+/// Those of the indices 0 .. count - 1 that are at most k from the centre.
 IndexRange around(std::int32_t center, std::int32_t k, std::int32_t count) {
   return {center < k ? 0 : center - k, center + k < count ? center + k + 1 : count};
 }
 
-/// Offers all rows of the grid whose larger distance from the centre along y or z, in rows, is k. Returns their number.
+/// Offers the rows of a square: along y or z, whichever is further, they are k rows from the centre. Returns their
+/// number.
 int offer_square(const Grid& grid, const Voxel& center, std::int32_t k, NearestFree& nearest) {
   const Voxel& dims = grid.spec().dims;
   const IndexRange all_y = around(center.y, k, dims.y);

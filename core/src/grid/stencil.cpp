@@ -17,7 +17,7 @@ std::int32_t floor_root(std::int32_t square) {
   return static_cast<std::int32_t>(square_root(static_cast<double>(square)));
 }
 
-/// The largest squared gap, in cells, that is less than the radius; -1 if not even a gap of 0 is.
+/// The largest squared gap, in cells squared, that blocks; -1 if not even a gap of 0 does.
 std::int32_t largest_blocking_gap(const GridSpec& spec) {
   if (spec.clearance() <= kClearTolerance) return -1;
   const double cells = spec.clearance() / spec.cell;

@@ -40,7 +40,7 @@ class Stencil {
   std::int16_t table_[kTable][kTable];
 };
 
-/// Of making a stencil: a root for each entry of its table.
+/// Operations of making a stencil: a root for each entry of its table.
 constexpr Operations kStencilOperations = 16 * 16 * 4 * ops::kTurn;
 
 }  // namespace tern

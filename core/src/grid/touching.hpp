@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A segment that touches a box. The closest pair then has no direction that tells on which side of the box the segment
-// lies.
+// A segment that touches a box. The closest pair then does not tell on which side of the box the segment lies.
 #ifndef TERN_GRID_TOUCHING_HPP
 #define TERN_GRID_TOUCHING_HPP
 

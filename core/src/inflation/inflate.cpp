@@ -68,8 +68,8 @@ std::int32_t count_runs(std::uint64_t rows) {
   return runs;
 }
 
-/// Fills gaps of fewer than 8 rows between runs, and adds a few rows past the last run. Beginning a patch takes longer
-/// than making 8 rows. A row that is made without need keeps its content.
+/// Fills gaps of fewer than 8 rows between runs, and between the last run and the strip's end. Beginning a patch takes
+/// longer than making 8 rows. A row that is made without need keeps its content.
 std::uint64_t without_gaps(std::uint64_t rows) {
   for (int step = 1; step < 8; step *= 2) rows |= rows << step;
   std::uint64_t gaps = ~rows;
@@ -82,8 +82,8 @@ std::int32_t extent_of(std::uint64_t rows) {
   return rows == 0 ? 0 : kStripRows - __builtin_clzll(rows) - __builtin_ctzll(rows);
 }
 
-/// Prepares the rows so that their patches cost as little as possible. Closes small gaps. Gives all words the same rows
-/// if one common patch costs less than a patch for each word, which includes the words beside it.
+/// Makes the patches of these rows cheaper. Closes small gaps. Gives all words the same rows if one patch for all costs
+/// less than one for each word. A patch also takes the words beside it.
 void merge(WindowRows& rows, std::int32_t count) {
   std::uint64_t any = 0;
   std::int32_t apart = 0;
@@ -99,7 +99,7 @@ void merge(WindowRows& rows, std::int32_t count) {
 }
 
 /// Removes the first run of rows from word k, and from the following words as long as they contain the whole run. Rows
-/// and words of the patch are counted from the window's first ones.
+/// of the patch are counted from the strip's first row, words from the window's first.
 Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
   const std::int32_t begin = __builtin_ctzll(rows.words[k]);
   const std::uint64_t gaps = ~(rows.words[k] >> begin);
@@ -110,8 +110,8 @@ Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
   return patch;
 }
 
-/// kWidePatch: the cost of a patch that is not narrow, in narrow patches. kFewPatches: making differences costs less
-/// than making the whole window up to this many narrow patches more than it has words.
+/// kWidePatch: the cost of a patch that is not narrow, in narrow patches. kFewPatches: only the differences are made if
+/// their cost, in narrow patches, exceeds the window's number of words by at most this.
 constexpr std::int32_t kWidePatch = 2;
 constexpr std::int32_t kFewPatches = 2;
 
@@ -137,7 +137,7 @@ struct Inflation {
     return reached;
   }
 
-  /// Calls `visit` with patches that cover these rows of a plane, and removes them.
+  /// Calls `visit` with patches that cover these rows of a plane, and clears `rows`.
   template <typename Visit>
   static void for_each_patch(const StripWindow& window, std::int32_t z, WindowRows& rows, Visit visit) {
     const std::int32_t count = window.words.end - window.words.begin;
@@ -160,7 +160,7 @@ struct Inflation {
     for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch, work); });
   }
 
-  /// Makes the voxels that may differ from the plane below, from which the patch has been copied.
+  /// Makes the voxels of a copied patch that may differ from the plane below.
   void make_differing(const Patch& patch, const PlaneSteps& steps) const {
     const IndexRange x = steps.voxels(patch.words);
     if (!maker.narrow(x)) return maker.make(patch, work);

@@ -84,7 +84,7 @@ struct Pieces {
   std::int32_t words;  ///< words of one run
 };
 
-/// ORs the column's planes, from number `first` on, into its rows.
+/// ORs the column's planes into its rows, from row `first` on.
 void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, const Pieces& pieces, Column& column) {
   const std::int32_t planes = count_planes(column);
   for (std::int32_t done = 0; done < planes; done += kSources) {
@@ -150,7 +150,6 @@ void gather_column(const Grid& grid, const InflationTile& tile, Column& column) 
   if (rows.begin >= rows.end) return;
   const std::int32_t width = tile.width;
   const std::int32_t count = rows.end - rows.begin;
-  // Whole rows are contiguous both in the layer and in the column: one long run.
   const bool whole = width == grid.row_words();
   if (tile.shift != 0) {
     or_shifted_planes(grid, tile, rows, column);
@@ -162,7 +161,7 @@ void gather_column(const Grid& grid, const InflationTile& tile, Column& column) 
   for (std::int32_t k = rows.end * width; k < column.rows * width; ++k) column.words[k] = 0;
 }
 
-/// For each row of the tile, ORs into it the column's rows at distances begin <= dy < end; none if end <= begin.
+/// ORs into each row of the tile the column's rows at distances begin <= dy < end; none if end <= begin.
 void add_span(const Column& column, std::int32_t begin, std::int32_t end, InflationTile& tile) {
   if (end <= begin) return;
   const std::uint64_t* rows = column.words + (tile.y + begin - column.y) * tile.width;
@@ -218,8 +217,7 @@ Ring next_ring(const Stencil& stencil, std::int32_t gap_x, std::int32_t gap_z) {
   return ring;
 }
 
-/// Corrects the first and the last bit of each row, into which neighbouring rows may have spread, from the row's own
-/// words.
+/// Makes the first and the last bit of each row from the row's own words. Neighbouring rows may have spread into them.
 void part_rows(const InflationTile& tile, const std::uint64_t* from, std::uint64_t* to) {
   constexpr std::uint64_t kLow = 1;
   constexpr std::uint64_t kHigh = std::uint64_t{1} << 63;

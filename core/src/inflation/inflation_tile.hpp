@@ -33,8 +33,8 @@ struct InflationTile {
   const std::uint64_t* row(std::int32_t r) const noexcept { return words[made] + 1 + r * width; }
 };
 
-/// Fills the tile: sets each voxel that an obstacle blocks by the stencil. Ignores obstacles outside the tile's words
-/// along x. So the outermost gap_x + 1 voxels are correct only at an end of the grid's own row.
+/// Fills the tile: sets each voxel that an obstacle blocks, as the stencil says. Ignores obstacles outside the tile's
+/// words along x, so the outermost gap_x + 1 voxels are correct only at an end of the grid's own row.
 void make_inflation_tile(const Grid& grid, const Stencil& stencil, InflationTile& tile) noexcept;
 
 }  // namespace tern

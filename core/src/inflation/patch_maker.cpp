@@ -33,7 +33,8 @@ PatchMaker::PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* 
       planes_inside_(inside_boundary(grid, 2)) {
   const IndexRange x = inside_boundary(grid, 0);
   for (std::int32_t k = 0; k < rows_.row_words; ++k) outside_x_[k] = ~bits_met(x, k);
-  // Each round of a tile goes through the planes of the ball, and adds each row of the ball to each word.
+  // Each round of a tile goes through the planes of the ball. All rounds together add each row of the ball to each
+  // word.
   tile_operations_ = ops::kPiece * (3 + 2 * (stencil.gap_x() + 1) * (stencil.gap_z() + 1));
   word_operations_ = ops::kWord * (3 + rows_of_ball(stencil));
 }
@@ -56,7 +57,7 @@ Operations PatchMaker::most_operations() const noexcept {
   return 2 * kRuns * ops::kPiece + tiles * tile_operations_ + kStripRows * (width * word_operations_ + 7 * ops::kWord);
 }
 
-/// Rows do not spread into each other if each ends in enough padding, or if the window has a halo on both sides.
+/// True if rows do not spread into each other: each ends in enough padding, or the words have a halo on both sides.
 bool PatchMaker::rows_apart(std::int32_t first, std::int32_t end) const noexcept {
   if (end < rows_.row_words) return first > 0;
   return kWordBits * rows_.row_words - grid_.spec().dims.x > reach_x_;

@@ -29,12 +29,12 @@ class PatchMaker {
   const IndexRange& rows_inside() const noexcept { return rows_inside_; }
   const IndexRange& planes_inside() const noexcept { return planes_inside_; }
 
-  /// The most that copying and making the rows of one word of a strip takes, in all its patches.
+  /// The most operations of copying and making the rows of one word of a strip, in all its patches.
   Operations most_operations() const noexcept;
   /// Makes the patch from the obstacles around it.
   void make(const Patch& patch, Work& work) const noexcept;
-  /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. They must all lie within the
-  /// patch's words, and narrow() must be true for them.
+  /// Makes voxels [x.begin, x.end) of the patch's rows, and no others. The range must lie within the patch's words, and
+  /// narrow() must be true for it.
   void make_narrow(const Patch& patch, const IndexRange& x, Work& work) const noexcept;
   /// True if a word can hold this many voxels together with everything along x that can block them.
   bool narrow(const IndexRange& x) const noexcept { return x.end - x.begin + 2 * reach_x_ <= kWordBits; }
@@ -56,11 +56,11 @@ class PatchMaker {
   IndexRange rows_inside_;
   IndexRange planes_inside_;
   std::uint64_t outside_x_[kMaxRowWords];  ///< a row's bits outside the boundary
-  Operations tile_operations_;             ///< of a tile, and of a word in it
+  Operations tile_operations_;             ///< of making a tile, besides its words
   Operations word_operations_;
 };
 
-/// The most that an inflation of the whole grid takes, in pieces of one plane of one strip or larger.
+/// The most operations of inflating the whole grid, in pieces of at least one plane of one strip.
 Operations inflation_operations(const Grid& grid) noexcept;
 
 }  // namespace tern

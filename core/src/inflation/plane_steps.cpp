@@ -66,7 +66,7 @@ Operations PlaneSteps::operations(const StripWindow& window, bool follows) const
 void PlaneSteps::judge(bool useful) {
   if (!known_) return;
   useless_ = useful ? 0 : useless_ + 1;
-  // One slab makes this many planes differ: reach_z_ planes at its beginning and at its end.
+  // One slab makes this many planes differ: reach_z_ at its bottom, and as many at its top.
   if (useless_ > 2 * reach_z_) rest_ = kRestPlanes;
 }
 
@@ -84,8 +84,8 @@ bool PlaneSteps::rows_differ(const IndexRange& rows, std::int32_t step) const {
   return false;
 }
 
-/// Marks what the difference between planes step - 1 and step may change. Planes past the grid count as copies of the
-/// outermost one, whose obstacles are nearer.
+/// Marks the voxels that the difference between planes step - 1 and step may change. Planes past the grid count as
+/// copies of the outermost one, whose obstacles are nearer.
 void PlaneSteps::take(std::int32_t step) {
   if (step < 1 || step >= dims_.z) return;
   const std::int32_t first = window_.strip * kStripRows;
@@ -122,8 +122,8 @@ void PlaneSteps::add_row(const std::uint64_t* row, std::int32_t y, Differences& 
   }
 }
 
-/// Marks the voxels that the differences can affect along x, in those of planes begin .. end - 1 that are still to
-/// come.
+/// Marks the voxels that the differences can affect along x, in planes begin .. end - 1, but not in planes that are
+/// done.
 void PlaneSteps::mark_planes(std::int32_t begin, std::int32_t end, const Differences& differences) {
   for (std::int32_t k = 0; k < window_.words.end - window_.words.begin; ++k) {
     const WordMark* words = differences.words + k;

@@ -49,7 +49,7 @@ class PlaneSteps {
   void begin(const StripWindow& window, std::int32_t z);
   /// Goes on to the next plane.
   void advance();
-  /// Of advance() if `follows`, else of begin().
+  /// The operations of advance() if `follows`, else of begin().
   Operations operations(const StripWindow& window, bool follows) const;
   /// Notes whether the marks were of use for this plane. If they were of no use for many planes in a row, comparing is
   /// switched off for kRestPlanes planes.
