@@ -11,7 +11,8 @@
 // - TERN_PROFILE_COMPANION: a Jetson-class computer. The default.
 //
 // To change single capacities, write a header that defines some of the macros below, and define TERN_USER_CONFIG to its
-// name in quotes. It is included first. Diagnostics::high_water shows how much of each capacity a plan used.
+// name in quotes. This file includes that header first. Diagnostics::high_water shows how much of each capacity a plan
+// used.
 //
 // Compile the core and everything that includes its headers with the same definitions. The library refuses a program
 // with other capacities than its own (Field::kConfiguration). The macros are for C and C++, the constants for C++.
@@ -38,8 +39,8 @@
 #define TERN_MAX_CELLS TERN_DEFAULT(32 * 1024, 96 * 1024, 2 * 1024 * 1024, 64 * 1024 * 1024)
 #endif
 
-/// Voxels along one axis, 2048 at most. It bounds how far the search jumps in one go, and it keeps the cost of any path
-/// inside 64-bit fixed point. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
+/// Voxels along one axis, 2048 at most. This capacity bounds how far the search jumps in one go, and keeps the cost of
+/// any path inside 64-bit fixed point. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_DIMENSION
 #define TERN_MAX_DIMENSION TERN_DEFAULT(64, 128, 512, 2048)
 #endif
@@ -60,8 +61,8 @@
 #define TERN_MAX_JUMP_POINTS TERN_DEFAULT(16, 64, 256, 2048)
 #endif
 
-/// Segments of a trajectory, and polyhedra of a corridor. It also bounds the legs of a path. It determines the size of
-/// Trajectory, 208 bytes a segment. Beyond it: kSegmentsFull.
+/// Segments of a trajectory, polyhedra of a corridor, legs of a path. A Trajectory takes 208 bytes for each. Beyond it:
+/// kSegmentsFull.
 #ifndef TERN_MAX_SEGMENTS
 #define TERN_MAX_SEGMENTS TERN_DEFAULT(4, 10, 32, 48)
 #endif
@@ -78,8 +79,8 @@
 #define TERN_MAX_LOCAL_BOXES TERN_DEFAULT(24, 1024, 1024, 8192)
 #endif
 
-/// Rows that may be active at once in the quadratic programme. The factor of the active set is dense and takes about
-/// (12 * segments + this) * this * 8 bytes. Beyond it the plan falls back to stop-and-go, with Report::optimiser
+/// Constraints that may be active at once in the quadratic programme. The factor of the active set is dense and takes
+/// about (12 * segments + this) * this * 8 bytes. Beyond it the plan falls back to stop-and-go, with Report::optimiser
 /// kWorkingSetFull.
 #ifndef TERN_MAX_ACTIVE
 #define TERN_MAX_ACTIVE TERN_DEFAULT(12, 64, 192, 192)
@@ -115,9 +116,10 @@
 #define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 16, 48, 64)
 #endif
 
-/// Words of the blocked layer of a plan's world, if that is not the grid's own: with fences, and for the flood from the
-/// start if the goal cannot be reached. 8 bytes each. A word holds 64 voxels of a row along x, and each row begins with
-/// a new word. 1 is enough if no request has fences or GoalMode::kNearest. Beyond it: kWorldFull.
+/// Words of the blocked layer that a plan makes for itself, 8 bytes each. It makes one for a request with fences, and
+/// for the flood from the start if no path leads to the goal. A word holds 64 voxels of a row along x, and each row
+/// begins with a new word. 1 is enough if no request has fences or GoalMode::kNearest, and nobody reads
+/// Report::reachable. Beyond it: kWorldFull.
 #ifndef TERN_MAX_WORLD_WORDS
 #define TERN_MAX_WORLD_WORDS TERN_DEFAULT(1024, 1536, 48 * 1024, 2 * 1024 * 1024)
 #endif
@@ -128,8 +130,8 @@
 #define TERN_MAX_PIXELS TERN_DEFAULT(4096, 160 * 120, 320 * 240, 2 * 1024 * 1024)
 #endif
 
-/// Boxes known beforehand to a rolling map (MapSpec::prior), and as many cylinders (prior_cylinders). They cost no
-/// memory of the map, but time in every slide. Beyond it: kPriorFull.
+/// Boxes of a rolling map's prior (MapSpec::prior), and as many cylinders (prior_cylinders). They cost no memory of the
+/// map, but time in every slide. Beyond it: kPriorFull.
 #ifndef TERN_MAX_PRIOR_BOXES
 #define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 64, 256, 4096)
 #endif
@@ -147,7 +149,6 @@
 
 namespace tern {
 
-// The capacities as constants.
 constexpr int64_t kMaxCells = TERN_MAX_CELLS;
 constexpr int32_t kMaxDimension = TERN_MAX_DIMENSION;
 constexpr int kMaxNodes = TERN_MAX_NODES;

@@ -26,7 +26,7 @@ struct Polyhedron {
 };
 
 /// The polyhedra in flight order, along the path. The line of polyhedron i ends where the line of polyhedron i + 1
-/// begins. A stop before or behind the way has none.
+/// begins. A stop before or after the path has no polyhedron.
 struct Corridor {
   /// 1 .. kMaxSegments.
   int count;

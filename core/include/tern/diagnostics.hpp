@@ -27,8 +27,8 @@ struct StageReport {
 /// The highest use of each capacity of config.hpp during the plan. Compare it with the capacity to choose capacities of
 /// your own. If a capacity ran out, its value here is the capacity itself.
 struct HighWater {
-  /// Jump points that one search generated; of TERN_MAX_NODES. Only the optimal search counts, and the steps that every
-  /// search begins with.
+  /// Jump points that one search generated; of TERN_MAX_NODES. The guided search generates none; the optimal one does,
+  /// and so do the first steps of a fast search.
   int32_t nodes;
   /// Entries of the open list at one time; of TERN_MAX_OPEN.
   int32_t open;
@@ -40,7 +40,7 @@ struct HighWater {
   int32_t planes;
   /// Boxes around the busiest segment; of TERN_MAX_LOCAL_BOXES.
   int32_t local_boxes;
-  /// Rows in the largest active set; of TERN_MAX_ACTIVE.
+  /// Constraints in the largest active set; of TERN_MAX_ACTIVE.
   int32_t active;
   /// Iterations of the longest quadratic programme; of TERN_MAX_QP_ITERATIONS.
   int32_t qp_iterations;
@@ -72,9 +72,9 @@ struct Diagnostics {
   ///   motion, it begins that motion from rest. Or one curve leads straight from start to goal
   /// - 3, previous plan: the plan goes on along Request::previous
   int32_t detours;
-  /// The cost of the path over the grid, divided by a proven lower bound of the least cost: the path costs at most this
-  /// many times the least possible, but for rounding. Mostly it is much nearer to the optimum. 1 for the optimal
-  /// search, and if no search was needed; 0 without a path.
+  /// The cost of the path over the grid, divided by a proven lower bound of the least cost. So the path costs at most
+  /// this many times the least possible, up to rounding; most paths cost much less. 1 for the optimal search, and if no
+  /// search was needed; 0 without a path.
   double search_bound;
   /// Which search found the path.
   SearchUsed search_used;

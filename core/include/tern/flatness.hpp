@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a sample of a trajectory to what a multirotor's controller flies: thrust, attitude and body rates. A multirotor
-// is differentially flat in position and yaw, so all three follow from acceleration, jerk and yaw (Mellinger and Kumar,
-// ICRA 2011). Drag is not modelled.
+// Turns a sample of a trajectory into a setpoint for a multirotor's controller: thrust, attitude and body rates. A
+// multirotor is differentially flat in position and yaw, so all three follow from acceleration, jerk and yaw (Mellinger
+// and Kumar, ICRA 2011). Drag is not modelled.
 #ifndef TERN_FLATNESS_HPP
 #define TERN_FLATNESS_HPP
 
@@ -17,7 +17,7 @@ namespace tern {
 /// Standard gravity, m/s^2, along -z of the world.
 constexpr double kGravity = 9.80665;
 
-/// Thrust, in m/s^2, below which its direction counts as undefined: free fall.
+/// Thrust over mass, m/s^2. Below it, the direction of the thrust counts as undefined: free fall.
 constexpr double kLeastThrust = 0.01;
 /// Sine of the angle between the thrust and the horizontal line to the left of the nose. Below it, the direction of the
 /// nose counts as undefined.
@@ -34,7 +34,7 @@ struct Yaw {
 
 /// Why a flat state has substitute values: the attitude is undefined for that sample.
 enum class Singularity : uint8_t {
-  kNone = 0,   ///< nothing
+  kNone = 0,   ///< no substitute values
   kFreeFall,   ///< thrust below kLeastThrust: level attitude, the yaw rate is the only body rate
   kHeading,    ///< thrust sideways, across the heading: the nose stays near the heading, no rate about the thrust
   kNotFinite,  ///< acceleration or jerk is not finite: level, hovering, no body rates

@@ -29,18 +29,19 @@ struct FlightSpec {
   Limits limits;
   /// As Request::time_weight.
   double time_weight;
-  /// Nanoseconds from one tick to the next, > 0.
+  /// Nanoseconds from one tick to the next, > 0, at most 10 s.
   int64_t tick;
   /// Units of work that a tick may spend, 256 at least. A unit takes about a thousand instructions.
   uint32_t work_per_tick;
-  /// Units after which a plan is dropped, > 0. With work_per_tick it says how many ticks ahead a new plan begins.
+  /// Units after which a plan is dropped, > 0. plan_work and work_per_tick give the number of ticks by which a plan
+  /// begins before its takeover.
   uint32_t plan_work;
   /// How far ahead plans lead, metres, > 0 and less than half the window's length along x. Choose a little less than
   /// the map's range.
   double horizon;
-  /// Up to this distance along each axis, plans take the unseen for solid. Metres, >= 0.
+  /// Up to this distance from the vehicle along each axis, plans take unseen voxels for solid. Metres, >= 0.
   double near;
-  /// How fast the vehicle turns its sensor, rad/s, > 0. It says how long to look into one direction.
+  /// How fast the vehicle turns its sensor, rad/s, >= 0.001. A look around gives each direction the time of that turn.
   double yaw_rate;
   /// Geofences, `fence_count` of them, valid as for a Request, or null. All committed plans respect them. They and
   /// their half-spaces are yours and must outlive the flight, unchanged.
@@ -77,13 +78,13 @@ struct FlightRefusal {
   /// For kFences, and for a start that breaks a fence: the index in FlightSpec::fences; kNoFence if their pointer or
   /// count is wrong. Otherwise kNoFence.
   int32_t fence = kNoFence;
-  /// For kStartOccupied: what is nearest to the start that is not known to be free, kUnseen, kObstacle or kWindow.
+  /// For kStartOccupied: the nearest thing that is not known to be free, kUnseen, kObstacle or kWindow.
   BlockedBy blocked_by = BlockedBy::kNothing;
   /// Where, world frame, metres: the centre of that voxel, or the nearest point of the window's face.
   Vec3 blocked_at = {0.0, 0.0, 0.0};
-  /// How far it is from the start, metres: from the voxel's cube, or from the face.
+  /// The start's distance from that voxel's cube or that face, metres.
   double distance = 0.0;
-  /// How far it must be, metres: the map's radius and its tracking margin.
+  /// The least distance allowed, metres: the map's radius plus its tracking margin.
   double needed = 0.0;
 };
 
@@ -102,12 +103,12 @@ enum class FlightReason : uint8_t {
   kNone = 0,    ///< it flies, or is about to
   kNoGoal,      ///< there is no goal: none was set yet, or stop() took it away
   kArrived,     ///< it rests at the goal
-  kNearest,     ///< the goal is occupied, or cut off by what was seen; it rests as near to it as it can
+  kNearest,     ///< the goal is occupied or cut off, and the vehicle rests as near to the goal as it can
   kNoProgress,  ///< after a look around there is still no way. set_goal() makes it try again
   kHemmedIn,    ///< after a look around there is still no way, and something is nearer to the vehicle than the radius
   kViaBlocked,  ///< the mission ended: its next point is in an obstacle or breaks a fence
   kViaUnreachable,  ///< the mission ended: after a look around there is still no way to its next point
-  kMapStale,        ///< there is no way through what is known, and no frames come. It goes on with the next frame
+  kMapStale,        ///< there is no way through known space, and no frames come. The flight goes on with the next frame
 };
 
 /// Points of a mission, at most: the vias and the goal.
@@ -131,8 +132,8 @@ enum class PointState : uint8_t {
 const char* flight_mode_name(FlightMode mode) noexcept;
 const char* flight_reason_text(FlightReason reason) noexcept;
 
-/// Where the nose points in flight. In every mode, a vehicle that rests and looks for its way turns to what the next
-/// plan needs to see.
+/// Where the nose points in flight. In every mode, a vehicle that rests and looks for its way turns to the space that
+/// the next plan needs to see.
 enum class FlightYawMode : uint8_t {
   kTowardsUnseen = 0,  ///< to the first point of the way that is not proven yet
   kAlongMotion,        ///< along the horizontal velocity
@@ -164,7 +165,8 @@ struct FlightReport {
   FlightReason reason;
   /// Answer of the last plan.
   Status plan;
-  /// Plans begun, committed, dropped because they were late, and failed: no plan, or nothing of it proven.
+  /// Plans begun, committed, dropped because they were late, and failed. A plan fails if the planner finds none, or if
+  /// nothing of it can be proven.
   uint32_t asked, committed, dropped, failed;
   /// Units that this tick spent.
   uint32_t work;
@@ -181,18 +183,18 @@ struct FlightReport {
   bool map_stale;
   /// Nanoseconds since a tick last found that a frame or scan was begun; since start(), if there was none.
   int64_t frame_age;
-  /// What ended the proof of the last plan or, if no plan was found, what is in its way. kNothing if the last plan was
-  /// proven to its end, at the goal, and without a goal. While the vehicle rests with something nearer than the radius,
-  /// it is the nearest such thing, with a goal or without. No decision depends on it.
+  /// What ended the proof of the last plan or, if no plan was found, what is in its way. kNothing at the goal, without
+  /// a goal, and if the last plan was proven to its end. But while something is nearer to the resting vehicle than the
+  /// radius, this is the nearest such thing. No decision depends on it.
   BlockedBy blocked_by;
-  /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow and kFence the place
-  /// on the way. Zero for kNothing.
+  /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow and kFence, a point
+  /// of the way. Zero for kNothing.
   Vec3 blocked_at;
   /// For kFence: its index in FlightSpec::fences. Otherwise kNoFence.
   int32_t blocked_fence = kNoFence;
 };
 
-/// What to fly at one time.
+/// The command for one time.
 struct Command {
   /// Position to snap, world frame.
   Sample sample;
@@ -225,12 +227,12 @@ class Flight {
   /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
   /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m. If its `stop` is true,
   /// the vehicle comes to rest there, and stays for its `dwell`. The goal's tolerance, stop and dwell mean nothing,
-  /// whatever they are. The points are copied. `policy` says what happens to one that turns out to be in an obstacle,
-  /// to break a fence, or to have no way to it; for the goal, that is as for set_goal(). kOk; or a refusal, which
-  /// leaves the goal as it was: kNonFiniteInput; kViasFull (more than kMaxMissionPoints); kInvalidArgument (no points,
-  /// a negative tolerance, a velocity, no such policy, or before start()).
+  /// whatever they are. The points are copied. `policy` says what happens if a point is in an obstacle, breaks a fence
+  /// or cannot be reached. The goal is treated as set_goal() does. kOk; or a refusal, which leaves the goal as it was:
+  /// kNonFiniteInput; kViasFull (more than kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a
+  /// velocity, no such policy, or before start()).
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept;
-  /// What became of a point of the mission. kAhead for points that it does not have.
+  /// What became of a point of the mission. kAhead for a number that is no point.
   PointState point_state(int32_t point) const noexcept;
   /// From now on, plans yaws beside the committed plans. Without this call, yaw() is 0. May be called again at any
   /// time: the nose goes on from where it is, though an acceleration beyond a new, lower limit steps down to it. kOk;
@@ -251,14 +253,14 @@ class Flight {
   Status tick(int64_t t, FlightReport& report) noexcept;
   /// Does one tick's work without a report.
   Status tick(int64_t t) noexcept;
-  /// What to fly at time `t`. Every time has an answer. A time before the last tick gets the answer for the last tick,
+  /// The command for time `t`. Every time has an answer. A time before the last tick gets the answer for the last tick,
   /// so that nothing is flown twice. After the end, the answer is rest. Before start(), it is zeros.
   Command command(int64_t t) const noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before
   /// start().
   Status set_clock(int64_t t) noexcept;
-  /// The latest committed plan, for who follows it without asking for every command, as another board does.
+  /// The latest committed plan, for a follower that does not ask for every command, for example another board.
   /// Trajectory::begin is when it takes over, on the clock of tick(): once the clock shows that, command() at time t is
   /// the state at time_on(plan, t), bit for bit. Take it after each tick that raises FlightReport::committed, and after
   /// set_clock(), which moves its beginning. If the plan begins later than now, go on with the one before until then,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Records of flights: every call of a RollingMap and a Flight, with its frames, as bytes in a buffer of yours, to be
-// flown again elsewhere. Each tick leaves a hash of what it commanded, so that `tern replay` finds the first tick that
+// flown again elsewhere. Each tick leaves a hash of its commands, so that `tern replay` finds the first tick that
 // differs. docs/record.md has the format.
 #ifndef TERN_FLIGHT_RECORD_HPP
 #define TERN_FLIGHT_RECORD_HPP

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The occupancy grid: two layers of bits in storage of yours. The obstacle layer holds the voxels that you marked; each
-// is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only if the robot's
-// centre may be anywhere in the voxel's closed cube: at least the radius and the tracking margin away from every
-// obstacle cube, and inside the boundary (contract C5). If the boundary holds no whole voxel, this holds for the part
-// of the cube inside the boundary. docs/grid.md has the details.
+// is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free only if the robot's centre
+// may be anywhere in the voxel's closed cube: at least the radius and the tracking margin away from every obstacle
+// cube, and inside the boundary (contract C5). If the boundary holds no whole voxel, this holds for the part of the
+// cube inside the boundary. docs/grid.md has the details.
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
@@ -35,8 +35,8 @@ struct GridSpec {
   Box boundary;
   /// Radius of the robot's body, >= 0.
   double radius;
-  /// How far the vehicle may be off the plan while it flies, >= 0. docs/simulator.md has what was measured. It is part
-  /// of the grid and not of a request, because the blocked layer depends on it.
+  /// How far the vehicle may be off the plan while it flies, >= 0. docs/simulator.md has measurements. The margin is
+  /// part of the grid and not of a request, because the blocked layer depends on it.
   double tracking_margin;
 
   /// Least distance that a plan keeps from every obstacle. At most kMaxDimension voxels. A nanometre or less counts as
@@ -59,11 +59,11 @@ constexpr double kMaxCell = 1e6;
 /// a header of 8 words, and about a 32nd more to know what changed. 0 if a dimension is out of range.
 size_t grid_words(const Voxel& dims) noexcept;
 
-/// Identifies what an inflated grid holds at one time. Equal versions mean equal voxels, but for a chance of 2^-64. The
-/// planner uses it to notice changes.
+/// Identifies the content of an inflated grid at one time. Equal versions mean equal voxels, but for a chance of 2^-64.
+/// The planner uses it to notice changes.
 struct GridVersion {
   const uint64_t* words;  ///< the storage; null if the grid is not bound or not inflated
-  uint64_t binding;       ///< tells the bind of that storage, and its spec
+  uint64_t binding;       ///< a number for the bind of that storage, and for its spec
   uint64_t revision;      ///< Grid::revision()
   uint64_t content;       ///< a hash of all marks and clears since the bind
 
@@ -113,8 +113,8 @@ class Grid {
   /// others. kNonFiniteInput if any point is not finite; kInvalidArgument if `world` is null and count > 0.
   Status mark_points(const Vec3* world, size_t count, size_t* inside = nullptr) noexcept;
 
-  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary. It makes only the words
-  /// near changed obstacles anew, with the same result as for all words. It does nothing if nothing changed, or on a
+  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary. It computes only the
+  /// words near changed obstacles; the result is the same as for all words. It does nothing if nothing changed, or on a
   /// grid that is not bound. Planning on a grid that is not up to date answers kInvalidArgument, field kNotInflated.
   void inflate() noexcept;
 
@@ -148,7 +148,8 @@ class Grid {
   /// Words of one row along x, ceil(dims.x / 64). Bits past dims.x are 0 in the obstacle layer and 1 in the blocked
   /// one.
   int32_t row_words() const noexcept { return row_words_; }
-  /// The rows of one y and z, which must be inside the grid: 1 is an obstacle, or blocked. The storage's; read only.
+  /// The row at one y and z, which must be inside the grid. A bit of 1 is an obstacle, or a blocked voxel. The words
+  /// belong to the grid; do not write to them.
   const uint64_t* obstacle_row(int32_t y, int32_t z) const noexcept { return obstacles_ + row(y, z); }
   const uint64_t* blocked_row(int32_t y, int32_t z) const noexcept { return blocked_ + row(y, z); }
 
@@ -167,7 +168,7 @@ class Grid {
   Box local_boundary() const noexcept { return local_boundary_; }
 
  private:
-  friend struct GridAccess;  // reads what else the core needs
+  friend struct GridAccess;  // reads the rest for the core
   friend class GridWords;    // writes for the rolling map
 
   /// Words of the storage's header that are in use.
@@ -190,7 +191,7 @@ class Grid {
   Box local_boundary_{};
   int32_t row_words_ = 0;
   int32_t reach_x_ = 0;   // voxels along x that an obstacle blocks to either side
-  uint64_t binding_ = 0;  // what the header holds as long as this view is bound
+  uint64_t binding_ = 0;  // the header's kBinding as long as this view is bound
   uint64_t bound_at_revision_ = 0;
   uint64_t* words_ = nullptr;  // the storage, which begins with the header
   uint64_t* obstacles_ = nullptr;

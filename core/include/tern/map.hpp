@@ -34,7 +34,7 @@ struct MapSpec {
   double radius;
   double tracking_margin;
 
-  /// Depth up to which a frame is used, > 0. Nothing beyond it is marked or seen.
+  /// Depth up to which a frame is used, > 0, at most kMaxCell. Nothing beyond it is marked or seen.
   double range;
   /// Error of a depth z: at most depth_margin + depth_margin_square * z * z. Both >= 0; metres, and 1 / metre.
   double depth_margin;
@@ -42,10 +42,10 @@ struct MapSpec {
   /// Error of the pose: at most this distance and this angle. Both >= 0; metres, and radians up to 0.5.
   double pose_margin;
   double angle_margin;
-  /// For scans: how finely the map looks at them, in radians; at least twice the largest angle between neighbouring
-  /// beams. Beams has what the sensor must promise. A scan sees nothing within about 1.25 scan_pixel of where a thing
-  /// is shown, or of the edge of the view. Within [kMinScanPixel, 1], or 0 if you use no scans. From 0.2 on, hardly
-  /// anything is seen.
+  /// For scans: the angle of the pixels that beams are sorted into, radians; at least twice the largest angle between
+  /// neighbouring beams. Beams says what the sensor must promise. A scan sees nothing within about 1.25 scan_pixel of
+  /// the direction of a thing, or of the edge of the view. Within [kMinScanPixel, 1], or 0 if you use no scans. From
+  /// 0.2 on, hardly anything is seen.
   double scan_pixel;
 
   /// Hits that block a voxel, and misses that clear a blocked one (a hit starts the count again). Within 1 ..
@@ -53,15 +53,16 @@ struct MapSpec {
   int32_t hits;
   int32_t misses;
   /// For depth images: how many of the eight pixels around a pixel must measure about the same depth, at most a voxel
-  /// and their errors apart. A pixel with fewer counts as an error of the sensor. It hits nothing, and sees no further
-  /// than the nearest pixel around it. 0 .. 8; 0: every pixel counts.
+  /// and their errors apart. A pixel with fewer is taken for an error of the sensor. It hits nothing, and sees no
+  /// further than the nearest pixel around it. 0 .. 8; 0: every pixel counts.
   int32_t support;
   /// A voxel counts as seen for at most this time after the last frame that saw it, in nanoseconds. 0: for ever. At
   /// most a day.
   int64_t age;
-  /// The window moves when the point given to follow() is more than this many voxels from its middle; >= 0.
+  /// The window moves when the point given to follow() is more than this many voxels from its middle; 0 ..
+  /// kMaxDimension.
   int32_t slack;
-  /// Pixels of the largest image: width * height. With scans, at least 6 * (2.5 / scan_pixel)^2.
+  /// Pixels of the largest image, width * height; 1 .. kMaxPixels. With scans, at least 6 * (2.5 / scan_pixel)^2.
   int32_t pixels;
 
   /// Obstacles known before the flight: boxes and upright cylinders of yours, which must outlive the map and not
@@ -120,9 +121,9 @@ struct DepthView {
 ///
 /// A direction that is 0 or not finite is skipped.
 ///
-/// A scan shows what is free only as far as the sensor keeps this promise, which docs/map.md explains. Take any
-/// direction with beams all around it, in which the nearest thing is at a distance d < range. A beam at most 1.25
-/// scan_pixel away must show a distance of at most d, but for the depth's error. Sensors keep it in one of two ways:
+/// A scan shows free space only as far as the sensor keeps this promise, which docs/map.md explains. Take any direction
+/// with beams all around it, in which the nearest thing is at a distance d < range. A beam at most 1.25 scan_pixel away
+/// must show a distance of at most d, but for the depth's error. Sensors keep it in one of two ways:
 ///
 /// - Wide beams: each shows the nearest thing in a part of the view, and the parts leave no gap.
 /// - Thin beams: no direction of the view is further than 0.35 scan_pixel from a beam. Things thinner than
@@ -173,10 +174,10 @@ class RollingMap {
   Status follow(const Vec3& center) noexcept;
   /// Begins to copy the route grid, for plans that go on while frames are entered. `words` is yours: `word_count`
   /// words, at least grid_words(spec.dims) of them, which must outlive `grid`. Keep one grid with its words for all
-  /// snapshots: the planner keeps what it learned of voxels that are the same. A grid that does not lie there yet is
-  /// bound first, which takes as long as a frame. The grid must stay where it is until the job is done; until then it
-  /// counts as not bound, and afterwards it is inflated. kRunning; kInvalidArgument if the map is not bound, a job is
-  /// not finished, or the words are too few.
+  /// snapshots: the planner keeps what it learned of voxels that are the same. A grid that is not bound to these words
+  /// yet is bound first, which takes as long as a frame. The grid must stay where it is until the job is done; until
+  /// then it counts as not bound, and afterwards it is inflated. kRunning; kInvalidArgument if the map is not bound, a
+  /// job is not finished, or the words are too few.
   Status begin_snapshot(Grid& grid, uint64_t* words, size_t word_count) noexcept;
   /// The clock of the frames was set: the next one may have any time. Call Flight::set_clock() instead if a flight uses
   /// the map: it does this, and records know it. kInvalidArgument if the map is not bound.
@@ -217,8 +218,8 @@ class RollingMap {
 
   /// Voxels that were hit are solid, all others are free. For planning.
   const Grid& route() const noexcept;
-  /// Voxels that were hit or never seen are solid. For proofs. Between two slices of a frame, each word of its obstacle
-  /// layer is either that from before the frame or that from after it.
+  /// Voxels that were hit or never seen are solid. For proofs. Between two slices of a frame, each word of the obstacle
+  /// layer is as it was before the frame, or as it will be after it.
   const Grid& safe() const noexcept;
   /// True if the voxel was seen free, and not forgotten since. It may be an obstacle now. False outside.
   bool seen(const Voxel& voxel) const noexcept;

@@ -59,9 +59,9 @@ class Planner {
   ///
   /// The grid must not change before finish(). If it does, the next step() answers kMapChanged.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// As begin(), for a request without a previous plan. The optimiser begins at the durations of `pace`, wherever that
-  /// leads nearly the same way: this saves work, and the plan is another one than without. `pace` is a plan that passes
-  /// the requested start `pace_time` seconds after its beginning; it is read at once and never followed. Answers
+  /// As begin(), for a request without a previous plan. As far as `pace` leads nearly the same way, the optimiser
+  /// begins at its durations. This saves work, and gives another plan than without it. `pace` is a plan that passes the
+  /// requested start `pace_time` seconds after its beginning; it is read at once and never followed. Answers
   /// kInvalidArgument, field kPrevious, if there is a previous plan, `pace` is no trajectory, or `pace_time` is
   /// negative or not finite.
   Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept;
@@ -87,8 +87,9 @@ class Planner {
   /// Begins to find a path in slices: call begin_route() once, step() until it no longer answers kRunning, then
   /// finish_route(). The path has the same bits as that of route(). Answers and duties are those of begin().
   Status begin_route(const Grid& grid, const Request& request) noexcept;
-  /// Ends it and fills in `report`. If you call it before step() is done, or after begin() instead of begin_route(), it
-  /// abandons what was begun and answers kInvalidArgument, field kCallOrder. So does finish() after begin_route().
+  /// Ends the route and fills in `report`. If you call it before step() is done, or after begin() instead of
+  /// begin_route(), it abandons what was begun and answers kInvalidArgument, field kCallOrder. So does finish() after
+  /// begin_route().
   Status finish_route(Report& report) noexcept;
 
   /// The stage that the next piece of work belongs to, or the last one of a plan that is done. kRequest if no plan was

@@ -59,7 +59,7 @@ struct ProofGrounds {
   int32_t fence_count = 0;
 };
 
-/// A segment is halved at most this many times over. A piece that cannot be proven then counts as not proven.
+/// A segment is halved at most this many times over. A piece that is not proven then ends the proof.
 constexpr int kProofDepth = 18;
 /// The most pieces of one segment that a proof looks at, for its position and for each derivative.
 constexpr int kProofPieces = 2048;
@@ -67,7 +67,7 @@ constexpr int kProofPieces = 2048;
 /// bounds the work for a piece.
 constexpr int kProofSpan = 8;
 /// Metres by which the centre may be nearer to an obstacle than the grid's radius, or parts of a voxel if voxels are
-/// larger than a metre: as much as the check grants a plan. Rounding of coordinates comes on top.
+/// larger than a metre: a little more than the check grants a plan. Rounding of coordinates comes on top.
 constexpr double kProofTolerance = 4e-9;
 /// Relative excess over a limit that counts as the limit. Rounding comes on top.
 constexpr double kProofExcess = 4e-8;
@@ -94,9 +94,9 @@ class Proof {
   /// not check them again, which takes a look at each corner that three half-spaces may have.
   Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                         Beyond beyond, const ProofGrounds& grounds = {}) noexcept;
-  /// The planner's check of a plan or of a part of one, with what the planner knows of it. It must keep off obstacles
-  /// and keep-outs by `spare` metres more than a plan has to. `limits` and `world` may be null. AskedWorld and
-  /// PlanHints are types of the library's own, so no one else can call this.
+  /// The planner's check of a plan or of a part of one, with the planner's hints. The curve must keep off obstacles and
+  /// keep-outs by `spare` metres more than a plan has to. `limits` and `world` may be null. AskedWorld and PlanHints
+  /// are types of the library's own, so no one else can call this.
   void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits* limits, const AskedWorld* world,
                   double spare, PlanHints& hints) noexcept;
   /// Goes on as long as work is left. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if
@@ -146,11 +146,11 @@ class Proof {
   bool has_limits_ = false;
   Limits limits_{};
   Box boundary_{};         // where the curve may be, local frame
-  double distance_ = 0.0;  // that it must keep from obstacles and keep-outs
-  double near_ = 0.0;      // what is granted: the radius less distance_
-  double outside_ = 0.0;   // by which it may be outside a keep-in
-  double excess_ = 0.0;    // over a limit, relative
-  bool is_cut_ = true;     // its control points are rounded
+  double distance_ = 0.0;  // the least from obstacles and keep-outs
+  double near_ = 0.0;      // the grant: the radius less distance_
+  double outside_ = 0.0;   // the most by which the curve may be outside a keep-in
+  double excess_ = 0.0;    // granted over a limit, relative
+  bool is_cut_ = true;     // the curve's control points are rounded
   PlanHints* hints_ = nullptr;
   bool has_added_ = false;
   Box added_{};  // local frame
@@ -164,7 +164,7 @@ class Proof {
   int segment_ = 0;
   double begin_ = 0.0;  // of the segment
   double first_ = 0.0;  // the segment's parameter where its proof begins
-  double lost_ = 1.0;   // the segment's parameter where it ends
+  double lost_ = 1.0;   // the segment's parameter where its proof ends
   int part_ = kPosition;
   int height_ = 0;
   int pieces_ = 0;

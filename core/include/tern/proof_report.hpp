@@ -17,7 +17,7 @@ namespace tern {
 /// How far a proof came, and what ended it: the first thing, in the order of the trajectory. An index is -1, and a
 /// voxel has coordinates -1, if the finding is not about one.
 struct ProofReport {
-  /// Seconds since the beginning of the trajectory. What lies between the proof's beginning and here is proven.
+  /// Seconds since the beginning of the trajectory. From the proof's beginning to here, the trajectory is proven.
   double until = 0.0;
   /// What ended the proof there. kNone: the whole trajectory is proven, and nothing below but `work` has a value.
   Finding finding = Finding::kNone;
@@ -34,7 +34,8 @@ struct ProofReport {
   /// For kObstacle: the voxel that is too near.
   Voxel voxel{-1, -1, -1};
   /// By how much more than the proof grants: metres, or m/s, m/s^2 or m/s^3 for a derivative. >= 0. The worst that was
-  /// seen on the way to the finding; 0 for kMalformed and kPieces, and if nothing that is known is beyond.
+  /// seen on the way to the finding. 0 for kMalformed and kPieces, and if no point that was looked at exceeds the
+  /// grant.
   double excess = 0.0;
   /// Units of work done so far (tern/work.hpp).
   uint32_t work = 0;

@@ -33,8 +33,8 @@ size_t plan_record_bytes(const Voxel& dims) noexcept;
 Status record_plan(const Grid& grid, const Request& request, Status status, const Trajectory& plan, uint8_t* bytes,
                    size_t room, size_t* used) noexcept;
 
-/// What a record holds, but for the voxels. Some 30 KB: too large for most stacks. `request` points into this object,
-/// so it cannot be copied.
+/// The content of a record without the voxels. 24 KB with the profile companion: too large for most stacks. `request`
+/// points into this object, so it cannot be copied.
 struct PlanRecord {
   PlanRecord() = default;
   PlanRecord(const PlanRecord&) = delete;

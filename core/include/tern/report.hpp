@@ -39,11 +39,12 @@ struct ViaPassage {
   double distance;  ///< m from the via's position then, at most its tolerance but for 1e-9 m
 };
 
-/// The whole answer to one call of Planner::plan or Planner::finish, which always fill it. Plain data without pointers.
+/// The whole answer to one call of Planner::plan, finish, route or finish_route, which always fill it. Plain data
+/// without pointers.
 struct Report {
   /// The answer; the same as the call's return value.
   Status status;
-  /// The stage where `status` arose. For kOk: kCheck, the last stage.
+  /// The stage where `status` arose. For kOk: the last stage, kCheck for a plan and kShortcut for a route.
   Stage stage;
   /// The field of the request or grid that is wrong. kNone if no single field is.
   Field field;
@@ -66,7 +67,7 @@ struct Report {
   /// kOk.
   Status optimiser;
   /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced, kNoPath, kNodesFull or
-  /// kOpenFull. kOk if it was not, and always with GoalMode::kExact.
+  /// kOpenFull. kOk if it was to end at the goal, and always with GoalMode::kExact.
   Status goal_missed;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start, goal or via. Valid if
   /// has_nearest_free is true; zero otherwise.
@@ -78,8 +79,8 @@ struct Report {
   /// If `status` or `goal_missed` is kStartFenced, kGoalFenced or kViaFenced: the index in Request::fences of a fence
   /// that is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. If `field` is
   /// kFences: the index of the fence that is wrong. If `status` or `goal_missed` is kStartTooNarrow, kGoalTooNarrow or
-  /// kViaTooNarrow: the index of a fence that takes the point's voxel, although obstacles and boundary leave it. Else
-  /// kNoFence.
+  /// kViaTooNarrow: the index of a fence that blocks the point's voxel, although obstacles and boundary leave it free.
+  /// Else kNoFence.
   int32_t fence = kNoFence;
   /// Why there is no plan, for a request with vias: the index in Request::vias of the via that is wrong or that the
   /// plan could not be led to. kNoVia if the start or the way from the last via to the goal is at fault, or no single

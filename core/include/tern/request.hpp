@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a plan is asked for. Everything is in the world frame and in SI units.
+// A query to the planner. Everything is in the world frame and in SI units.
 #ifndef TERN_REQUEST_HPP
 #define TERN_REQUEST_HPP
 
@@ -44,7 +44,7 @@ struct Limits {
   /// m/s^2: limit of sqrt(ax^2 + ay^2), on top of the limits of x and y. 0 means none.
   double a_horizontal = 0.0;
   /// m/s^3: the largest jerk along each axis, in both directions. An axis of 0 has no limit. Autopilots do not follow
-  /// plans above their own (PX4's is 4 to 8, ArduPilot's 5 by default).
+  /// plans above their own limit (PX4's is 4 to 8, ArduPilot's 5 by default).
   Vec3 j_max{};
   /// m/s^3: limit of sqrt(jx^2 + jy^2). 0 means none.
   double j_horizontal = 0.0;
@@ -71,15 +71,14 @@ constexpr double kMaxTimeWeight = 1e6;
 
 /// How much work a plan may spend in each stage, in units: about a thousand instructions each (tern/work.hpp). Work is
 /// counted, never timed (contract C7), so a budget gives the same plan on every machine. A piece of work may begin as
-/// long as a budget is not spent, so a stage may take one piece more. What a planner learned about a map before changes
-/// no amount of work. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
+/// long as a budget is not spent, so a stage may take one piece more. Earlier plans on the same map change no amount of
+/// work. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
   /// The search, and finding Report::reachable. Beyond it: kBudgetSearch.
   uint32_t search = 0xFFFFFFFFu;
   /// The shortcut and the detour. Beyond it: kBudgetShortcut, or no detour.
   uint32_t shortcut = 0xFFFFFFFFu;
-  /// The corridor, and proving that stops and the rest of a previous plan that leads on have room. Beyond it:
-  /// kBudgetCorridor.
+  /// The corridor, and the proofs that stops and the rest of a previous plan have room. Beyond it: kBudgetCorridor.
   uint32_t corridor = 0xFFFFFFFFu;
   /// The trajectory. Beyond it, the answer is the best plan so far, or stop-and-go if there is none yet;
   /// Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
@@ -90,15 +89,14 @@ struct Budget {
 /// modes, kNoPath means that there is none.
 enum class SearchMode : uint8_t {
   /// A path that costs a few per cent more than the cheapest, in a fraction of the time. Diagnostics::search_bound
-  /// limits
-  /// how much more. If that search is led astray, the optimal one answers.
+  /// limits the excess. If that search is led astray, the optimal one answers.
   kFast = 0,
   /// A cheapest path.
   kOptimal = 1,
 };
 
-/// What to do about a goal that cannot be planned to: one that is occupied or fenced, or that no chain of free voxels
-/// leads to. Any other number is refused (kInvalidArgument, field kGoalMode).
+/// What to do if no plan can lead to the goal: it is occupied or fenced, or no chain of free voxels leads to it. Any
+/// other number is refused (kInvalidArgument, field kGoalMode).
 enum class GoalMode : uint8_t {
   /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. Report::reachable says how near the robot could come.
   kExact = 0,

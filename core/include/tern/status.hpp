@@ -100,7 +100,7 @@ enum class Status : uint8_t {
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
   // a coarser grid, or a goal that is nearer.
 
-  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points, or took 27 units for each
+  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points, or took 27 pieces of work for each
   kOpenFull = 51,        ///< TERN_MAX_OPEN: the search's open list is full
   kJumpPointsFull = 52,  ///< TERN_MAX_JUMP_POINTS: the jump-point path has more points
   kSegmentsFull = 53,    ///< TERN_MAX_SEGMENTS: the path needs more segments
@@ -109,8 +109,8 @@ enum class Status : uint8_t {
   /// TERN_MAX_ACTIVE: too many constraints are active at once. Only as Report::optimiser; the plan falls back to
   /// stop-and-go.
   kWorkingSetFull = 56,
-  /// TERN_MAX_QP_ITERATIONS: a quadratic programme takes longer. Only as Report::optimiser; the plan falls back to
-  /// stop-and-go.
+  /// TERN_MAX_QP_ITERATIONS: a quadratic programme needs more iterations. Only as Report::optimiser; the plan falls
+  /// back to stop-and-go.
   kIterationLimit = 57,
   kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
@@ -145,8 +145,8 @@ enum class Status : uint8_t {
   kBudgetOptimise = 93,
 };
 
-/// The stages of a plan. Every plan goes through the first seven, in this order. The others are for requests with
-/// fences, and for what to do if a stage failed. The numbers are part of the ABI.
+/// The stages of a plan. The first seven make a plan, in this order. The others are for requests with fences, and for
+/// attempts after a failure. The numbers are part of the ABI.
 enum class Stage : uint8_t {
   kRequest = 0,  ///< validation of the request, before any other stage
   kSearch,       ///< guided search, or jump point search (the paper's Section 3.2.1)
@@ -155,7 +155,7 @@ enum class Stage : uint8_t {
   kTimes,        ///< first durations by trapezoidal profiles (Section 3.3.2)
   kTrajectory,   ///< minimum snap by quadratic programmes (Section 3.4)
   kCheck,        ///< the independent check of the finished plan (contract C4)
-  kWorld,        ///< entering what the request adds to the world (fences) into the grid, before the search
+  kWorld,        ///< blocking voxels for the request's fences, in a copy of the grid's blocked layer
   kDetour,       ///< leading the path along the motion of its ends, if a moving end has no room
   kPrevious,     ///< proving the rest of Request::previous anew, if nothing new was found
   kStopFirst,    ///< finding ways to come to rest first, if a moving end has no other way
@@ -163,8 +163,8 @@ enum class Stage : uint8_t {
 };
 constexpr int kStageCount = 12;
 
-/// What ends a proof, and what a plan is refused for. The numbers are part of the ABI; docs/proof.md has the rules and
-/// tolerances.
+/// Reasons for which a proof ends, and for which a plan is refused. The numbers are part of the ABI; docs/proof.md has
+/// the rules and tolerances.
 enum class Finding : uint8_t {
   kNone = 0,      ///< nothing: all is proven
   kMalformed,     ///< counts, durations or coordinates that are no trajectory

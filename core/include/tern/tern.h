@@ -116,7 +116,7 @@ typedef struct {
 } tern_request;
 /* A trajectory's state at one time: tern/trajectory.hpp. World frame; m, m/s, m/s^2, m/s^3, m/s^4. */
 typedef struct { tern_vec3 position, velocity, acceleration, jerk, snap; } tern_sample;
-/* Where the nose points, and what a controller flies: tern/flatness.hpp. */
+/* Where the nose points, and the setpoint of a controller: tern/flatness.hpp. */
 typedef struct { double cosine, sine, rate; } tern_yaw;
 typedef struct {
   /* Thrust over mass, m/s^2; rotation from body to world, row by row; the same as (w, x, y, z). */
@@ -136,7 +136,7 @@ typedef struct {
 } tern_proof_report;
 /* When a plan passes a via, in seconds, and how far from it, in metres: tern/report.hpp. */
 typedef struct { double time, distance; } tern_via_passage;
-/* What one stage did, the highest use of each capacity, and both with how the path was found: tern/diagnostics.hpp. */
+/* The work of one stage, the highest use of each capacity, and all diagnostics of a plan: tern/diagnostics.hpp. */
 typedef struct { uint64_t work, bound, ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
@@ -239,14 +239,14 @@ typedef enum {
   TERN_BUDGET_OPTIMISE = 93
 } tern_status;
 
-/* What tern_size_of() can be asked for. All sizes are in bytes. */
+/* The sizes that tern_size_of() knows, in bytes. */
 typedef enum {
   TERN_SIZE_REQUEST = 0,        /* sizeof(tern_request) */
   TERN_SIZE_TRAJECTORY,         /* sizeof(tern_trajectory) */
   TERN_SIZE_REPORT,             /* sizeof(tern_report) */
   TERN_SIZE_GRID_SPEC,          /* sizeof(tern_grid_spec) */
   TERN_SIZE_WORKSPACE,          /* what tern_planner_init() needs */
-  TERN_SIZE_WORKSPACE_ALIGNMENT /* to which the planner itself aligns it */
+  TERN_SIZE_WORKSPACE_ALIGNMENT /* the planner aligns the workspace itself */
 } tern_size;
 
 /* The library's TERN_ABI. Use the library only if it equals yours. */
@@ -331,7 +331,7 @@ static inline uint64_t tern_header_hash(void) {
  * for another configuration than the library's; every plan then answers the same. This function is for languages that
  * cannot use this header; pass tern_configuration_hash() there. */
 uint8_t tern_planner_init_for(tern_planner* planner, void* memory, size_t bytes, uint64_t configuration);
-/* Makes a planner for a program with the capacities of this header: what a C program calls. */
+/* Makes a planner for a program with the capacities of this header. C programs call this function. */
 static inline uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes) {
   return tern_planner_init_for(planner, memory, bytes, tern_header_hash());
 }
@@ -358,7 +358,7 @@ uint8_t tern_plan_step(tern_planner* planner, uint32_t work);
 /* Ends the plan and fills `report`. With ok, `trajectory` is the plan; with any other answer, it is unchanged. If you
  * call it too early, it abandons the plan and answers invalid_argument, field "call order". */
 uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report);
-/* Finds a path alone, in one call: tern::Planner::route(). With ok, tern_path() gives it out. `report` is always filled
+/* Finds a path alone, in one call: tern::Planner::route(). With ok, tern_path() returns it. `report` is always filled
  * in, unless a pointer is null. */
 uint8_t tern_route(tern_planner* planner, const tern_grid* grid, const tern_request* request, tern_report* report);
 /* Begins a route in slices; duties and answers are those of tern_plan_begin(). tern_plan_step() continues it. */

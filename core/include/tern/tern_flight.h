@@ -5,8 +5,8 @@
  * explain every field and answer.
  *
  * In order: bind a map (tern/tern_map.h) and tell it what is free around the vehicle, initialise a planner, start a
- * flight over both, set a goal, then enter frames, call tern_flight_tick() at a constant rate and fly what
- * tern_flight_command() says. */
+ * flight over both, set a goal, then enter frames, call tern_flight_tick() at a constant rate and fly the commands of
+ * tern_flight_command(). */
 #ifndef TERN_TERN_FLIGHT_H
 #define TERN_TERN_FLIGHT_H
 
@@ -54,14 +54,14 @@ typedef struct {
   tern_heading start, heading; tern_vec3 point;
   const tern_heading* headings; int32_t heading_count;
 } tern_flight_yaw;
-/* What to fly at one time: tern::Command. */
+/* The command for one time: tern::Command. */
 typedef struct { tern_sample sample; tern_vec3 look_at; } tern_command;
 /* clang-format on */
 #endif
 
 /* What a proof assumes beyond the boundary: nothing, or that all is solid. */
 enum { TERN_BEYOND_EMPTY = 0, TERN_BEYOND_SOLID = 1 };
-/* What ends a proof: tern::Finding. A plan is refused for these and two more. */
+/* What ends a proof: tern::Finding. A plan is also refused for a missed start, goal (8) or via (10). */
 enum {
   TERN_FINDING_NONE = 0,         /* nothing: all of it is proven */
   TERN_FINDING_MALFORMED = 1,    /* no trajectory at all */
@@ -92,7 +92,7 @@ enum {
   TERN_FLIGHT_HEMMED_IN = 5,       /* there is no way that can be proven, and something is nearer than the radius */
   TERN_FLIGHT_VIA_BLOCKED = 6,     /* the mission's next point is occupied or fenced */
   TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
-  TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through what is known */
+  TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through known space */
 };
 /* What keeps the flight from going on. */
 enum {
@@ -103,7 +103,7 @@ enum {
   TERN_BLOCKED_BY_FENCE = 4
 };
 /* What happens if a point of a mission cannot be reached. */
-enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* it goes on to the next point */ };
+enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* the flight goes on to the next point */ };
 /* Where the nose points in flight. */
 enum {
   TERN_FLIGHT_YAW_TOWARDS_UNSEEN = 0, /* to the first point of the way that is not proven yet */
@@ -151,13 +151,13 @@ uint8_t tern_flight_stop(tern_flight* flight);
 /* One tick's work; `t` in nanoseconds. `report` may be null. ok; clock_behind if `t` is before the last tick's, and
  * nothing was done; invalid_argument. */
 uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* report);
-/* What to fly at time `t`. Any time has an answer; a time before the last tick gets the answer for the last tick. Null
+/* The command for time `t`. Any time has an answer; a time before the last tick gets the answer for the last tick. Null
  * does nothing. */
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
 uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);
 
-/* The latest committed plan; its begin is when it takes over, on the clock of the ticks. ok or invalid_argument. */
+/* The latest committed plan. Its `begin` is the takeover, on the clock of the ticks. ok or invalid_argument. */
 uint8_t tern_flight_committed_plan(const tern_flight* flight, tern_trajectory* plan);
 /* Where the vehicle comes to rest on the committed plan, metres; zero for a flight that was not started. Null does
  * nothing. */

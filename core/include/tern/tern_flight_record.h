@@ -3,7 +3,7 @@
  *
  * Records of flights for C99: tern::FlightRecorder under C names. tern/flight_record.hpp explains them.
  *
- * Make each call of the map and the flight as always, then tell the recorder of it, with what it answered. Every call
+ * Make each call of the map and the flight as always, then tell the recorder of it, with its answer. Every call
  * below answers ok, record_full or invalid_argument. */
 #ifndef TERN_TERN_FLIGHT_RECORD_H
 #define TERN_TERN_FLIGHT_RECORD_H

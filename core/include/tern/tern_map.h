@@ -59,7 +59,8 @@ size_t tern_map_words(const tern_map_spec* spec);
  * prior_full. `field` receives the number of the field that is wrong; it may be null. */
 uint8_t tern_map_bind(tern_map* map, const tern_map_spec* spec, uint64_t* words, size_t word_count, uint8_t* field);
 /* Begins to enter a depth image; `t` in nanoseconds. The image must stay until the job is done. running, or the reason
- * why it is refused: pose_invalid, camera_invalid, out_of_map, pixels_full, non_finite_input, invalid_argument. */
+ * why it is refused: pose_invalid, camera_invalid, out_of_map, pixels_full, clock_behind, non_finite_input,
+ * invalid_argument. */
 uint8_t tern_map_begin_frame(tern_map* map, const tern_depth_view* view, const tern_pose* pose, int64_t t);
 /* Begins to enter a scan of `count` points, world frame, measured from `origin`. The points must stay until the job is
  * done. Answers as tern_map_begin_frame(). */

@@ -49,7 +49,7 @@ struct YawRequest {
   /// Heading, rate and acceleration of the vehicle at the trajectory's beginning. A rate beyond the limit falls to it
   /// as fast as the acceleration allows.
   Heading start;
-  double start_rate;          ///< rad/s
+  double start_rate;          ///< rad/s, -100 .. 100
   double start_acceleration;  ///< rad/s^2, at most acceleration_max
   /// For kFixed.
   Heading heading;
@@ -87,7 +87,7 @@ struct YawPlan {
   double polynomial[4];
   /// Duration of a piece of the spline, s.
   double step;
-  /// Control points of the spline, rad: count + 3 of them. On piece i, i+1, i+2 and i+3 have part.
+  /// Control points of the spline, rad: count + 3 of them. Points i to i + 3 shape piece i.
   double points[kMaxYawPieces + 3];
 };
 
@@ -108,10 +108,10 @@ constexpr uint32_t kYawWorkBound = 3 * (kMaxYawPieces + 2) + 2 * (kYawIterations
 /// thread-safe.
 class YawPlanner {
  public:
-  /// The yaw plan for `trajectory`. kOk; kNonFiniteInput; kLimitsInvalid (a limit out of its range);
-  /// kInvalidArgument (an empty trajectory, a mode that is none, a heading without direction, times that do not rise,
-  /// least_speed or least_distance not positive); kStartExceedsLimits (the start's acceleration). Unless it is kOk,
-  /// `plan` stays as it was.
+  /// The yaw plan for `trajectory`. kOk; kNonFiniteInput; kLimitsInvalid (a limit out of its range); kInvalidArgument
+  /// (an empty trajectory, a mode that is none, a heading without direction, times that do not rise, least_speed or
+  /// least_distance not positive); kStartExceedsLimits (the start's acceleration or rate). Unless it is kOk, `plan`
+  /// stays as it was.
   Status plan(const Trajectory& trajectory, const YawRequest& request, YawPlan& plan) noexcept;
 
   /// Begins a yaw plan in slices. kRunning, or what is wrong with the request. `trajectory` must stay as it is until
@@ -122,8 +122,8 @@ class YawPlanner {
   Status step(Work& work) noexcept;
   /// The same with `work` more units. What a call takes beyond them, the next calls take less.
   Status step(uint32_t work) noexcept;
-  /// Hands over the plan. Before step() is done: the plan so far, which keeps the limits too, but points less well
-  /// where it should. kInvalidArgument without begin().
+  /// Hands over the plan. Before step() is done: the plan so far, which keeps the limits too, but follows the wish less
+  /// closely. kInvalidArgument without begin().
   Status finish(YawPlan& plan) noexcept;
 
  private:
@@ -147,7 +147,7 @@ class YawPlanner {
   double follower_;  ///< the angle that follows the wish as fast as the limit on the rate lets it
   int iterations_;
   double last_step_;  ///< of the optimisation, 0 .. 1
-  // A number for each knot or control point; the slack variables of rates and accelerations have two.
+  // A number for each knot or control point; two prices for each limit on a rate or an acceleration.
   double wish_[kMaxYawPieces + 1];
   double rate_bound_[kMaxYawPieces + 3];
   double band_[3 * kMaxYawPieces];
