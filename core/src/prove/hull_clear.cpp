@@ -10,10 +10,14 @@
 namespace tern {
 namespace {
 
-/// How often the pair of nearest points is improved before the search for a plane is given up.
+/// How often the pair of nearest points is improved before the search for a plane is given up. Along an edge that the
+/// curve may graze, each improvement only halves the distance from the pair of nearest points.
 constexpr int kImprovements = 4;
+constexpr int kGrazingImprovements = 16;
 /// Factor that outweighs the rounding of a sum of three squares.
 constexpr double kLonger = 1.0 + 1e-15;
+/// A little more than the root of three: a box whose sides move in by 1 moves in by that along its diagonal.
+constexpr double kRootOfThree = 1.7320509;
 
 Vec3 nearest_in(const Box& box, const Vec3& p) {
   return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
@@ -72,12 +76,28 @@ bool boxes_apart(const Box& a, const Box& b, double distance) {
   return distance > 0.0 && square >= kLonger * distance * distance;
 }
 
+/// The box, smaller by so much on every side that what keeps clear of it is inside the whole box by `depth` at most,
+/// along any normal. A side that is too short shrinks to its middle.
+Box core_of(const Box& box, double depth) {
+  Box core = box;
+  for (int a = 0; a < 3; ++a) {
+    const double inset = smaller(depth / kRootOfThree, 0.5 * (axis(box.upper, a) - axis(box.lower, a)));
+    axis(core.lower, a) += inset;
+    axis(core.upper, a) -= inset;
+  }
+  return core;
+}
+
 /// Looks for a plane that has the box behind it, and all points in front of it by at least the distance. Any point q
 /// outside the box gives a plane: it goes through the box's point p that is nearest to q, at right angles to q - p. The
-/// best q is the hull's point nearest to the box. It is sought on the line between the curve's ends.
-bool plane_between(const Vec3* points, int count, const Box& box, double distance) {
+/// best q is the hull's point nearest to the box. It is sought on the line between the curve's ends. If the distance is
+/// negative, q may be on the box or inside it, so the box's core takes its place.
+bool plane_between(const Vec3* points, int count, const Box& whole, double distance) {
+  const bool may_graze = distance < 0.0;
+  const Box box = may_graze ? core_of(whole, -distance) : whole;
+  if (may_graze) distance = 0.0;
   Vec3 q = 0.5 * (points[0] + points[count - 1]);
-  for (int k = 0; k < kImprovements; ++k) {
+  for (int k = 0; k < (may_graze ? kGrazingImprovements : kImprovements); ++k) {
     const Vec3 p = nearest_in(box, q);
     const Vec3 normal = q - p;
     const double size = length(normal);
@@ -133,7 +153,8 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     const double distance = distance_from(hull, box);
     const bool may_touch = hull.keeps.departed != nullptr && !(distance > 0.0);
     bool apart = may_touch || boxes_apart(hull.box, box, distance);
-    work.spend(8 * ops::kDot + (apart ? 0 : 3 * hull.count * ops::kDot));
+    const int improvements = distance < 0.0 ? kGrazingImprovements : kImprovements;
+    work.spend(8 * ops::kDot + (apart ? 0 : (improvements - 1) * hull.count * ops::kDot));
     apart = apart || plane_between(hull.points, hull.count, box, distance);
     if (!apart) {
       found = {nearest_voxel(hull, {x, end}, cell), y, z};
