@@ -106,7 +106,7 @@ void all_blocks() {
   const std::int32_t blocks = state.row_words() * ((spec.dims.y + 7) / 8) * state.layers();
   std::uint64_t met = 0;
   for (std::int32_t k = 0; k < blocks; ++k) {
-    const tern::VoxelBox block = state.block_at(k);
+    const tern::VoxelBox block = state.brick_at(k);
     met += block.x.begin < block.x.end ? 1 : 0;
   }
   report({"map_blocks", "scan", entered, met, static_cast<std::uint64_t>(blocks), units, 1});
