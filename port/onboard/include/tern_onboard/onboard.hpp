@@ -177,7 +177,7 @@ class Onboard {
   std::optional<bool> following_;  // nothing if nobody said
   bool pose_lost_ = false;
   std::int64_t pose_stamp_ = 0;  // of the last pose, or when the clock was set
-  std::int64_t time_ = 0;  // of the last tick
+  std::int64_t time_ = 0;        // of the last tick
 };
 
 }  // namespace tern_onboard
