@@ -5,7 +5,7 @@
 camera and judges contact.
 
   ros1_flights.py --node NODE --world ros1_fly_world [--family P25] [--first 20000] [--flights 1] [--spoilt 0.05]
-                  [--jump 1.0] [--least-reached SHARE]
+                  [--jump 1.0] [--least-reached SHARE] [--bags]
 
 Prints a line for each flight and a summary. Exit status 0 if there was no contact, and enough goals were reached."""
 import argparse
@@ -40,11 +40,11 @@ def end(process, how):
     process.wait(60)
 
 
-def fly(options, member, environment):
-    """One flight: what ros1_fly_world says of it."""
+def fly(options, member, environment, *bag):
+    """One flight: what ros1_fly_world says of it. `bag`: "record" or "play", and the file."""
     log = open(pathlib.Path(environment["ROS_HOME"], "node.log"), "a")
-    world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump)], env=environment,
-                             stdout=subprocess.PIPE, text=True)
+    world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump), *bag],
+                             env=environment, stdout=subprocess.PIPE, text=True)
     node = None
     try:
         if world.stdout.readline() != "ready\n":
@@ -68,6 +68,7 @@ def main():
     parser.add_argument("--spoilt", type=float, default=0.0, help="share of messages that are lost or wrong")
     parser.add_argument("--jump", type=float, default=0.0, help="metres that the estimate jumps by")
     parser.add_argument("--least-reached", type=float, default=1.0, help="share of the goals")
+    parser.add_argument("--bags", action="store_true", help="record each flight to a bag, and play that to a new node")
     parser.add_argument("--log", help="folder for the node's log")
     options = parser.parse_args()
     folder = options.log or tempfile.mkdtemp(prefix="tern_ros1_")
@@ -81,9 +82,12 @@ def main():
     try:
         wait_for(port)
         for seed in range(options.first, options.first + options.flights):
-            flown = fly(options, f"{options.family}:{seed}", environment)
-            ends.append(flown["end"])
-            print(json.dumps(flown), flush=True)
+            member = f"{options.family}:{seed}"
+            bag = str(pathlib.Path(folder, f"{options.family}_{seed}.bag"))
+            for how in ("record", "play") if options.bags else (None,):
+                flown = fly(options, member, environment, *((how, bag) if how else ()))
+                ends.append(flown["end"])
+                print(json.dumps(flown), flush=True)
     finally:
         end(master, signal.SIGTERM)
     reached, contacts = ends.count("reached"), ends.count("contact")

@@ -152,7 +152,7 @@ double FlownWorld::yaw() const {
 void FlownWorld::publish_clock() {
   rosgraph_msgs::Clock clock;
   clock.clock = time_of(now_);
-  clock_.publish(clock);
+  publish(clock_, clock);
 }
 
 void FlownWorld::publish_pose() {
@@ -168,9 +168,9 @@ void FlownWorld::publish_pose() {
   odometry.pose.pose.position.z = p.z + jumped_.z;
   odometry.pose.pose.orientation.w = std::cos(0.5 * yaw());
   odometry.pose.pose.orientation.z = std::sin(0.5 * yaw());
-  odometry_.publish(odometry);
-  if (noise_.chance(spoilt_.share)) odometry_.publish(odometry);
-  if (noise_.chance(spoilt_.share)) odometry_.publish(earlier_);
+  publish(odometry_, odometry);
+  if (noise_.chance(spoilt_.share)) publish(odometry_, odometry);
+  if (noise_.chance(spoilt_.share)) publish(odometry_, earlier_);
   earlier_ = odometry;
 }
 
@@ -179,7 +179,7 @@ void FlownWorld::publish_frame() {
   const auto latency = static_cast<std::int64_t>(1e9 * s.sensor_latency);
   while (!on_the_way_.empty() &&
          static_cast<std::int64_t>(on_the_way_.front().header.stamp.toNSec()) + latency <= now_) {
-    image_.publish(on_the_way_.front());
+    publish(image_, on_the_way_.front());
     on_the_way_.pop_front();
   }
   if (static_cast<double>(frames_) > seconds() * s.sensor_hz) return;
@@ -191,7 +191,7 @@ void FlownWorld::publish_frame() {
   info.width = static_cast<std::uint32_t>(frame.view.width);
   info.height = static_cast<std::uint32_t>(frame.view.height);
   info.K = {frame.view.fx, 0.0, frame.view.cx, 0.0, frame.view.fy, frame.view.cy, 0.0, 0.0, 1.0};
-  lens_.publish(info);
+  publish(lens_, info);
   sensor_msgs::Image image;
   image.header = info.header;
   image.width = info.width;
@@ -215,7 +215,7 @@ void FlownWorld::publish_goal() {
   goal.pose.position.y = world_.goal.y;
   goal.pose.position.z = world_.goal.z;
   goal.pose.orientation.w = 1.0;
-  goal_.publish(goal);
+  publish(goal_, goal);
 }
 
 void FlownWorld::on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& message) {

@@ -39,6 +39,8 @@ struct Spoilt {
   double jump = 0.0;   ///< m: the estimate jumps by so much along y after 3 s
 };
 
+class FlightBag;
+
 class FlownWorld {
  public:
   FlownWorld(const std::string& member, const Spoilt& spoilt);
@@ -47,6 +49,10 @@ class FlownWorld {
   /// False if the node does not connect within 20 s.
   bool connect();
   Flown fly();
+  /// What it publishes from now on is written to a bag.
+  void record(const std::string& file);
+  /// Publishes what a bag has instead. Flown::off is how far its vehicle is off the node's setpoints.
+  Flown play(const std::string& file);
   /// The last message of the node's diagnostics.
   const std::string& told() const { return told_; }
 
@@ -54,6 +60,8 @@ class FlownWorld {
   static constexpr std::int64_t kTick = 10000000;
 
   tern_host::Setpoint setpoint_at(double t) const;
+  template <typename Message>
+  void publish(const ros::Publisher& publisher, const Message& message);
   void publish_clock();
   void publish_pose();
   void publish_frame();
@@ -80,6 +88,7 @@ class FlownWorld {
   std::string told_;
   nav_msgs::Odometry earlier_;                 // the last one
   std::deque<sensor_msgs::Image> on_the_way_;  // images, until their latency is over
+  std::shared_ptr<FlightBag> bag_;             // null: nothing is recorded
   ros::NodeHandle node_;
   ros::Publisher clock_, image_, lens_, odometry_, goal_, tf_;
   ros::Subscriber setpoints_, diagnostics_;

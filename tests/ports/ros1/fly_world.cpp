@@ -1,17 +1,19 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ros1_fly_world MEMBER [SPOILT JUMP]: sets the flight node's parameters, says "ready", waits for the node, flies the
-// world and prints one line of JSON. Exit status 0 if the goal was reached without contact.
+// ros1_fly_world MEMBER [SPOILT JUMP [record|play BAG]]: sets the flight node's parameters, says "ready", waits for the
+// node, flies the world or plays the bag to the node, and prints one line of JSON. Exit status 0 if the goal was
+// reached without contact.
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "ros1/flown_world.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "world");
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: ros1_fly_world MEMBER [SPOILT JUMP]\n");
+  if (argc < 2 || argc == 5) {
+    std::fprintf(stderr, "usage: ros1_fly_world MEMBER [SPOILT JUMP [record|play BAG]]\n");
     return 2;
   }
   tern_test::Spoilt spoilt;
@@ -25,7 +27,9 @@ int main(int argc, char** argv) {
     std::printf("{\"world\": \"%s\", \"end\": \"not connected\"}\n", argv[1]);
     return 1;
   }
-  const tern_test::Flown flown = world.fly();
+  const std::string bag = argc > 4 ? argv[4] : "";
+  if (bag == "record") world.record(argv[5]);
+  const tern_test::Flown flown = bag == "play" ? world.play(argv[5]) : world.fly();
   std::printf(
       "{\"world\": \"%s\", \"end\": \"%s\", \"time\": %.2f, \"clearance\": %.4f, \"off\": %.4f, \"late\": %llu, "
       "\"told\": \"%s\"}\n",
