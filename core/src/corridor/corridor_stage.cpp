@@ -28,7 +28,8 @@ std::int32_t segments_ahead(const CorridorStage& stage, const Path& path) {
   return (legs_of(path) - stage.leg - 1) + (stage.pieces - stage.piece - 1);
 }
 
-/// How many equal pieces of at most kLongLeg this leg is cut into: fewer if later legs would be left without segments.
+/// The number of equal pieces of this leg. They are at most kLongLeg long, unless later legs would be left without
+/// segments.
 std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   const double length = distance(path.points[stage.leg], path.points[stage.leg + 1]);
   const std::int32_t room = kMaxSegments - kKeptForEnds - stage.built - (legs_of(path) - stage.leg - 1);
@@ -57,7 +58,7 @@ void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg, std::in
 }
 
 /// Cuts the current piece in its middle: kMore. kFailed with `why` if the piece is a point or has been halved
-/// kMaxHalvings times.
+/// kMaxHalvings times; or with kSegmentsFull.
 Progress halve(CorridorStage& stage, const Path& path, Status why) {
   const Vec3& to = stage.ends[stage.pending - 1];
   if (stage.pending > kMaxHalvings || distance(stage.from, to) < kPointLike) {

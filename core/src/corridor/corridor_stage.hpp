@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The corridor stage builds polyhedra along the shortcut path. A leg usually gets one. It gets several if it is long,
-// or if one polyhedron would exceed a capacity. It gets none if the polyhedron before it contains the leg too.
+// or if one polyhedron would exceed a capacity. It gets none if the polyhedron of the leg before contains it too.
 #ifndef TERN_CORRIDOR_CORRIDOR_STAGE_HPP
 #define TERN_CORRIDOR_CORRIDOR_STAGE_HPP
 
@@ -26,14 +26,14 @@ constexpr double kLongLeg = 8.0;
 /// Segments that are not used for cutting legs, if the capacity is large: coming to rest needs some too.
 constexpr std::int32_t kKeptForEnds = kMaxSegments < 16 ? 0 : 8;
 
-/// How many times, at most, a piece is halved because its polyhedron does not fit.
+/// The most times that a piece is halved because its polyhedron does not fit.
 constexpr int kMaxHalvings = 6;
 
 /// Polyhedra that one corridor may try. Each halving adds one piece, and there are at most kMaxSegments pieces; the
 /// last attempt may fail.
 constexpr std::uint32_t kCorridorTries = 2u * static_cast<std::uint32_t>(kMaxSegments) + 1u;
 
-/// Where a plan passes its vias, in order.
+/// The waypoints and polyhedra at which a plan passes its vias, in order.
 struct ViaMarks {
   std::int32_t count;
   std::int32_t waypoint[kMaxVias];    ///< index of the via's waypoint in the path; increasing
@@ -56,7 +56,7 @@ struct CorridorStage {
   std::int32_t fixed;    ///< polyhedra before the one that begins at the last via
   std::int32_t built;    ///< polyhedra so far, dropped ones included; <= kMaxSegments
   Vec3 from;             ///< where the next polyhedron begins
-  std::int32_t pending;  ///< count of `ends`, the ends of the piece's halves, the next half's last
+  std::int32_t pending;  ///< count of `ends`: the ends of the piece's halves, that of the next half last
   Vec3 ends[kMaxHalvings + 1];
   bool growing;  ///< the polyhedron of the piece is being grown
   Growth growth;
@@ -73,8 +73,8 @@ void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks = nu
 /// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in
 /// the path's order, but some may be skipped. A polyhedron takes over a neighbouring piece if it contains the far end
-/// of that piece with kSightMargin of a voxel to spare; its line then leads straight to or from there. The first and
-/// the last piece of the path always have polyhedra of their own. No polyhedron is for both sides of a via.
+/// of that piece with kSightMargin of a voxel to spare; the polyhedron's line then leads straight to or from that end.
+/// The first and the last piece of the path always have polyhedra of their own. No polyhedron spans a via.
 ///
 /// Any two neighbours share a ball around their common point, if the interior legs of the path keep kSightMargin of a
 /// voxel from everything that is not free. The ball's radius is kSightMargin * cell, less 1e-9 m of rounding.

@@ -23,7 +23,7 @@ constexpr double kThickness = 0.3;
 /// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
-/// A wall is compared with both ends of the segment. A solid has up to three gaps to it.
+/// A wall is compared with both ends of the segment. For a solid, up to three gaps are computed.
 Operations solids_operations(const World& world) {
   return ops::kPiece * world.wall_count() + 3 * kGapOperations * world.solid_count();
 }
@@ -112,7 +112,7 @@ Progress fit(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work)
   return progress;
 }
 
-/// Leaves the half-spaces that bound the polyhedron.
+/// Drops the redundant half-spaces, and completes the polyhedron.
 Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& work) {
   if (!work.left()) return Progress::kMore;
   const SegmentMargin& segment = growth.segment;
@@ -150,7 +150,7 @@ Progress advance_phase(Growth& growth, const World& world, GrowScratch& scratch,
   return Progress::kDone;
 }
 
-/// Begins again with a smaller local box if that may help. False if it may not, or there is none.
+/// Begins again with a smaller local box. False if that cannot help, or if there is no smaller one.
 bool shrink_box(Growth& growth) {
   const bool full = growth.status == Status::kPlanesFull || growth.status == Status::kObstaclesFull;
   if (!full || growth.level + 1 == kBoxLevels) return false;

@@ -30,12 +30,12 @@ constexpr double kLocalMargin = 2.0;
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 
-/// The phase of a growing polyhedron: what it makes next.
+/// The phases of a growing polyhedron, each with its result.
 enum class GrowPhase : std::uint8_t {
   kBox,      ///< the half-spaces of the local box, of walls and of solids
   kExtract,  ///< the obstacles in the local box
   kFit,      ///< the segment's ellipsoid between the obstacles
-  kSieve,    ///< the obstacles that those leave
+  kSieve,    ///< the obstacles that the half-spaces of kBox do not cut off
   kCutOff,   ///< half-spaces that cut off the obstacles that are left
   kImprove,  ///< a larger polyhedron
   kFinish,

@@ -75,7 +75,7 @@ void leave_out(Improvement& improvement, const Enclosure& enclosure, GrowScratch
   begin_tangents(improvement, enclosure, scratch);
 }
 
-/// Does a unit of work that is not one of tangents_advance.
+/// Does a piece of work outside tangents_advance().
 void find_next(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
                Work& work) {
   if (improvement.phase == ImprovePhase::kBegin) return begin(improvement, enclosure, scratch, out, work);

@@ -22,14 +22,14 @@ namespace tern {
 /// adds a tenth to a sixth to the volume, the second a few percent, and further ones next to nothing.
 constexpr int kImprovingRounds = 2;
 
-/// Trials that follow, at most. Each leaves out one half-space: the polyhedron of the others has a larger ellipsoid,
-/// and tangents to that may give a larger polyhedron. A trial is skipped if the ellipsoid's size grows by less than
-/// kWorthLeavingOut (the volume by its square root). In dense maps the trials add 2 % of volume in the mean, up to 5 %
-/// in the median.
+/// The most trials after the rounds. Each leaves out one half-space: the polyhedron of the others has a larger
+/// ellipsoid, and tangents to that may give a larger polyhedron. A trial is skipped if the ellipsoid's size grows by
+/// less than kWorthLeavingOut (the volume by its square root). In dense maps, the trials add a mean of 2 % to the
+/// volume.
 constexpr int kLeaveOuts = 4;
 constexpr double kWorthLeavingOut = 1.3;
 
-/// What the trials for one segment have in common.
+/// The inputs of all rounds and trials for one segment.
 struct Enclosure {
   Obstacles obstacles;
   const SegmentMargin& segment;
@@ -37,12 +37,12 @@ struct Enclosure {
   int given;           ///< half-spaces that come first and stay: those of the local box, walls and solids
 };
 
-/// The phase of an improvement: what it does next.
+/// The phases of an improvement.
 enum class ImprovePhase : std::uint8_t {
-  kBegin,     ///< the ellipsoid in the polyhedron as it is
-  kTangents,  ///< half-spaces tangent to an ellipsoid, in a round or a trial
-  kCompare,   ///< is their polyhedron larger?
-  kLeaveOut,  ///< the next trial
+  kBegin,     ///< finds the ellipsoid in the polyhedron as it is
+  kTangents,  ///< makes half-spaces tangent to an ellipsoid, in a round or a trial
+  kCompare,   ///< keeps the polyhedron of these half-spaces if it is larger
+  kLeaveOut,  ///< begins the next trial
 };
 
 /// An improvement in progress. Plain data; needs no initialisation before improve_begin.

@@ -15,27 +15,26 @@ double room_along(const SegmentMargin& segment, const LocalBox& box, double radi
   return room_along(segment.from, segment.to, box_of(box), normal) - radius * length(normal);
 }
 
-/// The half-space with this normal that keeps the radius from the box. If the segment touches it, the half-space
-/// contains the segment in spite of rounding.
+/// The half-space with this normal that keeps the radius from the box. It contains the segment in spite of rounding.
 Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const Vec3 unit = (1.0 / length(normal)) * normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
   return {unit, larger(support(unit, box_of(box)) - radius - kHairline * segment.least, far)};
 }
 
-/// The half-space with normal `unit` that keeps the radius from the solid. `far` is how far the segment reaches along
-/// `unit`.
+/// The half-space with normal `unit` that keeps the radius from the solid. `far` is the largest unit . p over the
+/// segment.
 Halfspace plane_before(const ConvexSolid& solid, double radius, double hair, const Vec3& unit, double far) {
   return {unit, larger(solid_support(unit, solid) - radius - hair, far)};
 }
 
-/// By how much a normal's room may fall short of the gap, as a share of SegmentMargin::touching.
+/// The most by which a normal's room may fall short of the gap, as a share of SegmentMargin::touching.
 constexpr double kShortOfGap = 0.25;
 
 /// The normal that leaves the segment the most room, and that room. In exact arithmetic it is the direction of the
 /// closest pair, and the room is the gap. If the pair is very close, rounding turns its direction, and the room falls
-/// short of the gap. It falls short by more if the segment is longer. Then two more candidates are tried: the box's
-/// separating axes, and the pair's direction without its part along the segment.
+/// short of the gap, the more so for a long segment. Then the candidates are the pair's direction, the same without its
+/// part along the segment and, for a pair closer than segment.direction, the box's separating axes.
 WidestNormal widest_normal(const SegmentMargin& segment, const Box& box) {
   const ClosestPair pair = segment_box_closest(segment.from, segment.to, box);
   const Vec3 across = pair.on_box - pair.on_segment;

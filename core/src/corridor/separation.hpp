@@ -15,7 +15,7 @@
 
 namespace tern {
 
-/// A segment, and how far each half-space should keep from it.
+/// A segment, and the distance that each half-space should keep from it.
 struct SegmentMargin {
   Vec3 from;
   Vec3 to;

@@ -21,7 +21,7 @@ struct Sieve {
 };
 
 /// Moves the boxes that no half-space cuts off by `radius` to the front, in their order. A piece of work looks at
-/// kSieved boxes. kDone: the first sieve.kept boxes are those that no half-space cuts off.
+/// kSieved boxes. kDone: sieve.kept is their number.
 constexpr int kSieved = 64;
 Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count,
                     Work& work) noexcept;
@@ -42,8 +42,8 @@ struct TangentPass {
 /// other obstacle that it cuts off. Each half-space settles at least one obstacle.
 void tangents_begin(TangentPass& pass, const EllipsoidMetric& metric) noexcept;
 
-/// A piece of work lists kListed obstacles, or computes a contact; with the last contact that it needs, it makes the
-/// half-space. kDone, or kFailed with `status` kCorridorBlocked or kPlanesFull.
+/// A piece of work lists kListed obstacles, or computes a contact. After the last contact that a half-space needs, it
+/// also makes the half-space. kDone, or kFailed with `status` kCorridorBlocked or kPlanesFull.
 constexpr int kListed = 128;
 Progress tangents_advance(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment,
                           GrowScratch& scratch, Polyhedron& out, Work& work, Status& status) noexcept;

@@ -11,7 +11,7 @@ constexpr double kCentred = 1e-2;
 
 /// Returns the gradient of the barrier -sum log(slack), and stores its Hessian as the metric's matrix.
 void differentiate(const Polyhedron& polyhedron, double least_slack, EllipsoidMetric& metric, Vector& gradient) {
-  // Sums of its own: one behind a reference would be stored for every half-space.
+  // Sums up in local variables: a sum behind a reference would be stored for every half-space.
   const Vector center = metric.center;
   Vector rows = Vector::Zero();
   Matrix products = Matrix::Zero();

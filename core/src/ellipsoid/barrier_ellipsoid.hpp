@@ -1,10 +1,10 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A large ellipsoid inside a polyhedron that need not contain the segment: the Dikin ellipsoid of the logarithmic
-// barrier at the analytic centre. Half-spaces tangent to it leave more room than those tangent to the segment's own
-// ellipsoid. Alternating between ellipsoid and half-spaces is the idea of regional inflation, but takes a few dozen 3x3
-// steps instead of a conic programme.
+// A large ellipsoid inside a polyhedron: the Dikin ellipsoid of the logarithmic barrier at the analytic centre. It need
+// not contain the segment. Half-spaces tangent to it leave more room than those tangent to the segment's own ellipsoid.
+// Alternating between ellipsoid and half-spaces is the idea of regional inflation. Here it takes a few dozen steps with
+// 3x3 matrices instead of a conic programme.
 #ifndef TERN_ELLIPSOID_BARRIER_ELLIPSOID_HPP
 #define TERN_ELLIPSOID_BARRIER_ELLIPSOID_HPP
 

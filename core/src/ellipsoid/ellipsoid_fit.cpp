@@ -72,7 +72,7 @@ void shrink_both(EllipsoidFrame& frame, const BoxContact& contact, double thinne
   frame.semi_axis[2] = frame.semi_axis[1];
 }
 
-/// Shrinks z, but no further than y: the round ellipsoid was already clear.
+/// Shrinks z, but no further than y: with z equal to y, the ellipsoid was already clear.
 void shrink_z(EllipsoidFrame& frame, const BoxContact& contact) {
   const double along = dot(contact.point, frame.direction.col(0));
   const double aside = dot(contact.point, frame.direction.col(1));

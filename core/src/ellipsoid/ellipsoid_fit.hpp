@@ -27,10 +27,10 @@ struct Obstacles {
 /// Segments shorter than this, in metres, count as points. Their ellipsoid is a ball.
 constexpr double kPointLike = 1e-6;
 
-/// What a fit does next.
+/// The phases of a fit.
 enum class FitPhase : std::uint8_t {
   kCollect,       ///< the obstacles near the sphere, before y and z shrink
-  kShrink,        ///< y and z together, so that the ellipsoid stays round about the segment
+  kShrink,        ///< y and z shrink together, so that the ellipsoid stays round about the segment
   kCollectAgain,  ///< the obstacles near the sphere, before z is stretched
   kStretch,       ///< z alone: it starts as long as x, and shrinks
   kDone,
@@ -59,7 +59,7 @@ struct EllipsoidFit {
 void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept;
 
 /// A piece of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.
-/// `inside` is scratch for obstacles.count indices, which stays until kDone.
+/// `inside` is scratch for obstacles.count indices. Do not touch it until kDone.
 constexpr int kFitScreens = 256;
 constexpr int kFitContacts = 16;
 Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept;

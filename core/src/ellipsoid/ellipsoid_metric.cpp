@@ -7,8 +7,8 @@
 namespace tern {
 namespace {
 
-/// Steps, at most, of the fixed-point iteration between a grown box's normal and its nearest point, and the change of
-/// the normal at which it has converged.
+/// The most steps of the fixed-point iteration between a grown box's normal and its nearest point. It has converged
+/// once the cosine between two normals in a row is within kNormalSettled of 1.
 constexpr int kNormalSteps = 3;
 constexpr double kNormalSettled = 1e-6;
 
@@ -26,7 +26,7 @@ Bounds bounds_about(const Vector& center, const LocalBox& box) {
   return {vector_at(box.lower) - center, vector_at(box.upper) - center};
 }
 
-/// An offset into the box that is near the nearest one: the nearest by Euclid's metric, moved once along each axis.
+/// An offset into the box, close to the nearest one: the nearest in Euclidean distance, improved once along each axis.
 Vector near_offset(const EllipsoidMetric& metric, const Bounds& bounds) {
   const Matrix& m = metric.matrix;
   Vector d;

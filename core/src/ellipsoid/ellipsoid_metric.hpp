@@ -45,14 +45,14 @@ struct BoxContact {
 /// lie slightly in front of the rounded edge of the grown box. The scale is that of the plane, so it never overstates
 /// the room.
 BoxContact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
-/// Three steps, each with up to three faces and six edges, each of which is offered with a product of the matrix; a
-/// third of them on average.
+/// Operations of contact_of(): three steps, each with up to three faces and six edges. A third of these, on average,
+/// take a product with the matrix.
 constexpr Operations kContactOperations = 3 * 3 * 8 * ops::kDot;
 
 /// A lower bound of the scale at which the growing ellipsoid meets the box grown by the radius, for a fraction of the
 /// price of contact_of: the ellipsoid meets the box beyond any plane that cuts the box off.
 double least_scale(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
-/// The box's bounds, the nearest offset, and a product of the matrix.
+/// Operations of least_scale(): the box's bounds, the nearest offset, and a product with the matrix.
 constexpr Operations kScaleOperations = 8 * ops::kDot;
 
 /// max of normal . p over the ellipsoid, relative to its centre.

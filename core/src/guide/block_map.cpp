@@ -39,7 +39,7 @@ bool first_time(std::uint64_t* bits, std::int32_t index) {
   return true;
 }
 
-/// Makes the block's word and those of the rows beside it.
+/// Makes the block's word, and the same word of the rows beside it.
 void touch_rows(BlockMap& map, const Grid& grid, const Voxel& block) {
   const IndexRange y = overlap({block.y - 1, block.y + 2}, {0, map.dims.y});
   const IndexRange z = overlap({block.z - 1, block.z + 2}, {0, map.dims.z});
@@ -65,9 +65,9 @@ void touch_around(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// For each side, and for each byte of `sides` that the block across may have: the move across the side, and the moves
-/// that go on from there around a corner. They go on across the sides at right angles at which that block is joined.
-/// None goes on from a block that is split or of an unknown kind.
+/// For each side, and for each byte of `sides` of the block across it: the move across the side, and the moves that go
+/// on around a corner. A move goes on across a side at right angles if the block across is joined there, and is known
+/// not to be split.
 struct CornerTable {
   CellMask moves[kSides][256];
 };
@@ -91,7 +91,7 @@ constexpr CornerTable kCorners = make_corners();
 BlockMoves moves_across(const BlockMap& map, std::int32_t at, SideMask joined) {
   unsigned any = 0;
   CellMask moves = 0;
-  // Has no branches, because which sides are joined is hard to predict.
+  // Has no branches, because they would be hard to predict.
   for (int side = 0; side < kSides; ++side) {
     const unsigned is = 0u - (joined >> side & 1u);
     const unsigned beside = map.sides[at + (map.beside[side] & static_cast<std::int32_t>(is))];
@@ -139,7 +139,7 @@ BlockMoves block_moves(BlockMap& map, const Grid& grid, const Voxel& block, Side
   const SideMask joined = map.sides[at] & sides & kAllSides;
   const BlockMoves across = moves_across(map, at, joined);
   if (!across.split_beside) return across;
-  // Some blocks across these sides are split or of an unknown kind.
+  // Finds out whether the blocks of an unknown kind across these sides are split.
   for (SideMask left = joined; left != 0; left &= left - 1) {
     block_split(map, grid, block + kMoveOf.at[kSideMove[__builtin_ctz(left)]].step);
   }

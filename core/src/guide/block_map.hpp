@@ -20,7 +20,7 @@ namespace tern {
 constexpr std::int32_t kGuideBlocks = static_cast<std::int32_t>((kMaxCells + 63) / 64);
 constexpr std::int32_t kBlockWords = static_cast<std::int32_t>((kMaxCells + 511) / 512);
 
-/// Costs on the guide's two levels: a 256th of a voxel's edge.
+/// Costs of paths over voxels and over blocks, in 256ths of a voxel's edge.
 using GuideCost = std::uint32_t;
 constexpr GuideCost kGuideStraight = 256;
 constexpr GuideCost kGuidePlane = 362;
@@ -47,19 +47,19 @@ constexpr GuideCost guide_octile(const Voxel& a, const Voxel& b) {
                                 (kThird - kSecond) * least);
 }
 
-/// What is known about a block, in its byte of BlockMap::sides: one bit for each side at which the block is joined to
-/// its neighbour, and one of these kinds.
+/// A block's byte of BlockMap::sides has one bit for each side at which the block is joined to its neighbour, and one
+/// of these kinds.
 constexpr unsigned kBlockWhole = 0u << kSides;  ///< not all voxels are free, but the free ones are connected within it
 constexpr unsigned kBlockFull = 1u << kSides;   ///< all voxels are free
 constexpr unsigned kBlockSplit = 2u << kSides;  ///< the free voxels are not all connected within it
 constexpr unsigned kBlockUnknown = 3u << kSides;  ///< whole or split
 constexpr unsigned kBlockKinds = 3u << kSides;
 
-/// What the search of blocks knows about a block.
+/// A block in the search of blocks.
 struct Block {
   GuideCost distance;  ///< cost from the search's origin, by the best path so far; kFar if there is none
-  std::uint32_t link;  ///< lower bits: the moves from the block, and kBlockClosed; upper bits: the move by which that
-                       ///< path arrives
+  std::uint32_t link;  ///< lower bits: the moves from the block, and kBlockClosed; upper bits: the last move
+                       ///< of the best path
 
   CellMask moves() const { return link & kAllCells; }
   int arrival() const { return static_cast<int>(link >> kDirections); }
@@ -85,8 +85,8 @@ struct BlockMap {
   Voxel dims;                                  ///< in blocks
   std::int32_t last;                           ///< number of blocks in a word of voxels, minus one: 15 or 7
   std::int32_t words;                          ///< number of words of voxels in a row of blocks
-  std::int32_t offsets[kDirections];           ///< what a move adds to a block's index
-  std::int32_t beside[kSides];                 ///< what the move across each side adds to a block's index
+  std::int32_t offsets[kDirections];           ///< the step of a block's index for each move
+  std::int32_t beside[kSides];                 ///< the step of a block's index across each side
   std::uint64_t made[kBlockWords / 64 + 1];    ///< one bit for each word: its blocks are made
   std::uint64_t around[kBlockWords / 64 + 1];  ///< one bit for each word: its blocks and those around it are made
   std::uint8_t sides[kGuideBlocks];            ///< byte of each block, see kBlockWhole; x fastest; valid if it is made
@@ -111,8 +111,8 @@ bool block_map_begin(BlockMap& map, const Grid& grid, bool small = false) noexce
 /// Makes the block and the others of its word of voxels.
 void block_touch(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
-/// Finds out whether the block is split. Blocks of eight voxels count as not split. Returns the block's byte of
-/// `sides`.
+/// Finds out whether a block of an unknown kind is split. Blocks eight voxels wide are never of that kind. Returns the
+/// block's byte of `sides`.
 unsigned block_find_parts(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
 /// True if the block is split.
@@ -132,9 +132,10 @@ struct BlockMoves {
 /// at the corner must be joined to both ends and must not be split. Makes the blocks that the moves lead to.
 BlockMoves block_moves(BlockMap& map, const Grid& grid, const Voxel& block, SideMask sides) noexcept;
 
-// The blocks of one word of voxels along x, found by operations on words: 16 blocks of four voxels, or 8 of eight.
+// The blocks of one word of voxels along x, found by operations on words: 16 blocks four voxels wide, or 8 eight voxels
+// wide.
 
-/// BlockMap::sides of the blocks in a word of voxels: four bits each at the block's lowest bit.
+/// BlockMap::sides of the blocks in a word of voxels: four bits for each block, at its lowest bit.
 struct WordSides {
   std::uint64_t low;   ///< sides 0 to 3
   std::uint64_t high;  ///< sides 4 and 5, and the kind

@@ -13,7 +13,7 @@
 
 namespace tern {
 
-/// Voxels of a block of four, which is a page: a bit each, by its place in the page.
+/// Voxels of a block four voxels wide, which is a page: one bit for each place in the page.
 using VoxelMask = std::uint64_t;
 
 /// Sides of a block in the order -x, +x, -y, +y, -z, +z, and sets of them as bits.

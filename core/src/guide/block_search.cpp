@@ -22,8 +22,8 @@ int first_side(SideMask sides) {
   return __builtin_ctz(sides);
 }
 
-/// The voxels of a block that the guide stands for: all free ones or, of a split block, the part that it entered. A
-/// split block must be closed.
+/// The voxels that the guide may have reached in a block: all free ones or, in a split block, the part that it entered.
+/// A split block must be closed.
 VoxelMask part_of(BlockMap& map, const Grid& grid, const Voxel& block) {
   const VoxelMask free = block_voxels(grid, block);
   if (!block_split(map, grid, block)) return free;
@@ -128,7 +128,7 @@ constexpr Voxel unpack(std::uint32_t packed) {
 }
 static_assert(kMaxDimension / 4 <= 1024, "ten bits a coordinate");
 
-/// What a move adds to a block's packed coordinates.
+/// The step of a block's packed coordinates for each move.
 struct PackedMoves {
   std::uint32_t by[kDirections];
 };
@@ -189,8 +189,8 @@ Status block_search_take(BlockSearch& search, const Grid& grid) noexcept {
   const CellMask known = cells_after(map.blocks[index - map.offsets[arrival]].moves(), arrival);
   const BlockCosts::Step* const costs = kBlockCosts.of[map.log - 2];
   const GuideCost here = block.distance;
-  // First finds the moves that may give better paths than the known ones. It has no branches, because the outcome is
-  // hard to predict.
+  // First finds the moves that may give better paths than the known ones, without branches, which would be hard to
+  // predict.
   CellMask better = 0;
   for (CellMask left = moves & ~known; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);

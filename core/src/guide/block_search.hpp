@@ -18,10 +18,10 @@ namespace tern {
 constexpr std::int32_t kBlockBuckets = 64;
 constexpr std::int32_t kBlockOpen = kMaxOpen;
 
-/// Bound on the units of the guide. Each block is closed once and then opens at most the 18 blocks that it leads to. Of
-/// two neighbours, only the one that is closed first opens the other. So there are at most 9 entries a block, plus the
-/// first entry. The bound is about twice that. This leaves room for the unit that finds the list empty, and for the
-/// unit in which the guided search finds that its limit is reached.
+/// Bound on the pieces of work of the guide. Each block is closed once and then opens at most the 18 blocks that it
+/// leads to. Of two neighbours, only the one that is closed first opens the other. So there are at most 9 entries a
+/// block, plus the first entry. The bound is about twice that. This leaves room for the piece that finds the list
+/// empty, and for the piece in which the guided search finds that its limit is reached.
 constexpr std::uint32_t kBlocksTaken = 18u * static_cast<std::uint32_t>(kGuideBlocks) + 1u;
 
 /// Plain data; needs no initialisation before block_search_begin.

@@ -20,7 +20,7 @@ Word any_of(Word bits, int log) {
   return (bits | bits >> 4) & 0x0101010101010101u;
 }
 
-/// One word of voxels in each row that crosses a row of blocks.
+/// The rows of voxels in a row of blocks, and one word of them.
 struct WordRows {
   const BitRows rows;
   const Voxel dims;
@@ -66,7 +66,7 @@ struct WordRows {
   }
 };
 
-/// For each voxel x of a word of voxels, what is true in at least one of the rows.
+/// One bit for each voxel x of a word. A bit is set if its condition holds in at least one row.
 struct WordBits {
   std::uint64_t blocked;  ///< x is blocked
   std::uint64_t met;      ///< voxels x - 1 and x are both free
@@ -93,8 +93,7 @@ struct TwoWordBits {
   TwoWords last_y = {};
 };
 
-/// Where the words beside a word lie in its row, relative to the word. Past the row's ends, this is the word itself,
-/// and its bits are masked.
+/// Offsets from a word to the words beside it in its row. At the row's ends, an offset is 0, and the bits are masked.
 struct Neighbours {
   std::ptrdiff_t before;
   std::ptrdiff_t after;
@@ -152,7 +151,7 @@ WordBits read_rows(const WordRows& rows) {
 }
 
 /// Blocks with a wholly free side along x or y from which rows of free voxels lead to all their free voxels. The free
-/// voxels of such a block are connected, and most blocks are like that. Blocks of eight voxels count as connected.
+/// voxels of such a block are connected, and most blocks are like that. Blocks eight voxels wide count as connected.
 std::uint64_t surely_whole(const WordBits& bits, int log) {
   const std::uint64_t first = any_of(kAllBits, log);
   if (log == kLargeBlocks) return first;

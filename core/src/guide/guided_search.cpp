@@ -35,8 +35,8 @@ constexpr std::uint32_t entry(std::int32_t page, int place) {
   return static_cast<std::uint32_t>(page) << 6 | static_cast<std::uint32_t>(place);
 }
 
-/// The block that the guide's path leads to next. If the voxel lies in a part of a split block that this path does not
-/// pass, the block next to that part that is nearest to the goal.
+/// The next block on the guide's path. If the path misses the voxel's part of a split block: the block beside that part
+/// that is nearest to the goal.
 Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, const Voxel& voxel) {
   BlockMap& map = search.guide.map;
   const int arrival = map.at(block).arrival();
@@ -101,8 +101,7 @@ std::int32_t page_of(GuidedSearch& search, const Grid& grid, const Voxel& voxel)
   return index;
 }
 
-/// Records a path of this cost that arrives at a voxel by `move`, if it is the best so far. kRunning, or which capacity
-/// is full.
+/// Records a path of this cost that arrives at a voxel by `move`, if it is the best so far. kRunning or kOpenFull.
 Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, GuideCost cost, int move) {
   Page& page = search.store.pages[index];
   const int place = place_in_page(voxel);
@@ -175,8 +174,8 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
   return expand(search, grid, index, at, place);
 }
 
-/// Lets the guide take entries off its list, one a piece of work, until it has closed the awaited block, or nothing is
-/// left of the slice.
+/// Lets the guide take entries off its list, one a piece of work, until it has closed the awaited block, stalls or
+/// fails, or nothing is left of the slice.
 Status advance_guide(GuidedSearch& search, const Grid& grid, Work& work) {
   const Block& awaited = search.guide.map.blocks[search.awaited];
   // If guide_left is 0 here, the guide has closed the start's block, and may take any number of entries.

@@ -58,8 +58,7 @@ inline bool guide_stalls(const GuidedSearch& search) noexcept {
   return search.guide_left == 0 && !block_closed(search.guide, search.guide.map.index(search.guide.target));
 }
 
-/// Opens the start again, with nothing else open. Call this only after the guide has stalled, which happens at most
-/// once.
+/// Opens the start again, with nothing else open. The guide then never stalls again.
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
 
 /// Takes entries off the open lists, one a piece of work. kRunning if nothing is left of the slice, or once
@@ -67,7 +66,7 @@ void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
 /// capacity or one of the limits above is exhausted, which proves nothing. Must not be called after the end.
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept;
 
-/// Appends the turning points of the path found, as search_extract does. Once, after kOk.
+/// Appends the turning points of the path found, as search_extract() does. Call it once, after kOk.
 Status guided_extract(GuidedSearch& search, const Grid& grid, int reserve, Path& path) noexcept;
 
 }  // namespace tern

@@ -15,7 +15,7 @@ namespace tern {
 constexpr std::int32_t kGuidePages = kMaxNodes / 8 < 4096 ? kMaxNodes / 8 : 4096;
 constexpr std::uint32_t kStoreSlots = power_of_two(2u * static_cast<std::uint32_t>(kGuidePages));
 
-/// What the search knows about 4 x 4 x 4 voxels, and the carrot for all of them.
+/// The paths to 4 x 4 x 4 voxels, and the carrot for all of them.
 struct Page {
   std::uint64_t reached;     ///< one bit for each voxel, by its place: a path is known
   std::uint64_t closed;      ///< one bit for each voxel: it was expanded

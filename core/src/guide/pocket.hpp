@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A flood of the voxels around one end, a page at a time. It proves within a few hundred pages that an end lies in a
-// closed pocket, however thin its walls are. The guide cannot: walls thinner than a block split blocks.
+// closed pocket, however thin the pocket's walls are. The guide cannot: walls thinner than a block split blocks.
 #ifndef TERN_GUIDE_POCKET_HPP
 #define TERN_GUIDE_POCKET_HPP
 
@@ -26,7 +26,7 @@ void pocket_begin(GuidedSearch& search, const Grid& grid, const Voxel& from) noe
 /// Takes one page off the list, a piece of work. kRunning; kNoPath: the blocked layer does not connect the two voxels;
 /// kNodesFull: they are connected, or the flood reached more than kPocketPages pages.
 Status pocket_take(GuidedSearch& search, const Grid& grid, const Voxel& to) noexcept;
-/// The page, its flood, and the pages on its six sides.
+/// Operations of one page: its flood, and the pages on its six sides.
 constexpr Operations kPocketOperations = 9 * ops::kNode;
 
 }  // namespace tern

@@ -76,8 +76,8 @@ bool begin_small(VoxelSearch& search, const Grid& grid) {
   return true;
 }
 
-/// Begins what follows a guided search that stalls or gives up, or a flood that proves nothing. False if nothing is
-/// left to try.
+/// Begins the next method after a guided search that stalls or gives up, or after a flood that proves nothing. False if
+/// nothing is left to try.
 bool begin_next(VoxelSearch& search, const Grid& grid) {
   if (search.method == SearchMethod::kStartPocket && !search.gave_up) {
     search.method = SearchMethod::kGuided;

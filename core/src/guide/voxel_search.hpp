@@ -24,7 +24,7 @@ namespace tern {
 /// expansions that jump. Easy queries end there, with a cheapest path.
 constexpr std::uint32_t kFirstJumps = 32;
 
-/// Pieces of work of one search. The first expansions have the bound of a search of their own.
+/// Pieces of work of one search. The first expansions count as an optimal search of their own.
 constexpr std::uint32_t kVoxelSearchBound = 2 * kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
 
 enum class SearchMethod : std::uint8_t { kFirst, kGuided, kStartPocket, kGoalPocket, kOptimal };
@@ -56,14 +56,14 @@ void voxel_search_begin(VoxelSearch& search, const Grid& grid, const Voxel& star
 /// kOk, kNoPath, kNodesFull, kOpenFull.
 Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept;
 
-/// As search_extract. Once, after kOk.
+/// As search_extract(). Call it once, after kOk.
 Status voxel_search_extract(VoxelSearch& search, const Grid& grid, int reserve, Path& path) noexcept;
 
 /// Call this after kOk if the path cannot be used. Begins the optimal search if another search found the path;
 /// otherwise does nothing and returns false.
 bool voxel_search_again(VoxelSearch& search, const Grid& grid) noexcept;
 
-/// Which search found the path.
+/// The search that found the path.
 SearchUsed search_used(const VoxelSearch& search) noexcept;
 
 /// Upper bound of the cost of the path found, in voxels, divided by the least cost of any path; at least 1.

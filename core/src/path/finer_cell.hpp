@@ -27,11 +27,11 @@ struct FinerCell {
 
 /// Looks for the largest of cell / 2, cell / 4 and so on at which the point joins the grid. It joins if a finer grid
 /// has a free voxel near the point and the line to it is clear. The finer grid has the same origin and boundary, and
-/// its obstacles fill the same space. Local frame; the point breaks nothing of the world.
+/// its obstacles fill the same space. Local frame. The point must break no wall and no solid.
 void finer_begin(FinerCell& finer, const Vec3& point) noexcept;
 
 /// A piece of work is one voxel of one resolution. kDone: `cell` is the result. Ends without a result once the finer
-/// grid would exceed kMaxCells or kMaxDimension.
+/// grid could not be bound.
 Progress finer_advance(FinerCell& finer, const World& world, Work& work) noexcept;
 
 }  // namespace tern

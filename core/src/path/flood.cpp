@@ -60,7 +60,7 @@ std::uint32_t dequeue(Flood& flood) {
   return row;
 }
 
-/// Reaches the free voxels of a row whose neighbours in the row before it were reached.
+/// Reaches the free voxels of a row whose neighbours in the row `from` were reached.
 void spread(Flood& flood, const BitRows& blocked, const std::uint64_t* from, std::int32_t y, std::int32_t z) {
   std::uint64_t* dry = flood.dry + blocked.index(y, z);
   const std::uint64_t* solid = blocked.row(y, z);

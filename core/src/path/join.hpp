@@ -13,7 +13,7 @@
 
 namespace tern {
 
-/// A point joins the centre of a free voxel that is at most this many voxels away from its own on each axis.
+/// A point joins the centre of a free voxel at most this many voxels away from the point's own on each axis.
 constexpr int kJoinReach = 2;
 constexpr int kJoinWidth = 2 * kJoinReach + 1;
 constexpr int kJoinCells = kJoinWidth * kJoinWidth * kJoinWidth;
@@ -36,11 +36,11 @@ struct Join {
   bool searched[kJoinCells];    ///< voxels around home, x fastest: true if a search from there found no path
 };
 
-/// Of beginning to join an end: examines the voxels within reach, and sorts those that are free.
+/// Operations of join_begin(), which examines the voxels within reach, and sorts those that are free.
 inline Operations join_operations(const Join& join) noexcept {
   return join.count > 0 ? ops::kRow * kJoinCells + ops::kTurn * join.count * join.count : ops::kTurn * kJoinCells;
 }
-/// Of finding the voxels within reach that a search has reached, each from its six neighbours.
+/// Operations of finding the voxels within reach that a search has reached, each from its six neighbours.
 constexpr Operations kSearchedOperations = 6 * ops::kRow * kJoinCells;
 
 /// A point in a free voxel is joined at once. If the voxel is not free but the point keeps the radius, the free voxels

@@ -83,7 +83,7 @@ void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query)
 
 Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept {
   const Grid& grid = world.voxels();
-  // Each turn is a piece of work or ends a search. At most kReachBound are no pieces of a search.
+  // Each turn is a piece of work or ends a search. At most kReachBound turns are pieces of anything but a search.
   while (stage.phase != ReachPhase::kEnd) {
     if (searches(stage)) {
       const Grid reached = stage.phase == ReachPhase::kNearest ? flooded(stage.flood, grid) : grid;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The reach stage finds the reachable point nearest to a goal to which no plan leads. Of all free voxels that the
+// If no plan leads to a goal, the reach stage finds the reachable point nearest to it. Of all free voxels that the
 // search could reach from the start, this is the one whose centre is nearest to the goal.
 #ifndef TERN_PATH_REACH_STAGE_HPP
 #define TERN_PATH_REACH_STAGE_HPP
@@ -23,7 +23,7 @@ namespace tern {
 /// the start can join, its line and the beginning and end of its flood.
 constexpr std::uint32_t kReachBound = kClearBound + kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
 
-/// What to find. Local frame.
+/// A query to the reach stage. Local frame.
 struct ReachQuery {
   Vec3 start;                ///< inside the grid's boundary; breaks no wall and no solid
   Vec3 goal;                 ///< anywhere
@@ -55,9 +55,9 @@ struct ReachStage {
 /// The grid must be inflated, and the world must not change until the stage ends.
 void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query) noexcept;
 
-/// A piece of work is one row of the flood, one line that joins the start to the grid, kClearedWords cleared before
-/// that, or a piece of nearest_advance. kDone: `nearest` is the result. Ties go to the least z, then y, then x.
-/// kFailed: kStartOccupied (the start joins no voxel), or kWorldFull (the grid is too large).
+/// A piece of work is one row of the flood, one line that joins the start to the grid, kClearedWords words cleared, or
+/// a piece of nearest_advance. kDone: `nearest` is the result. Ties go to the least z, then y, then x. kFailed:
+/// kStartOccupied (the start joins no voxel), or kWorldFull (the grid is too large).
 Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept;
 
 }  // namespace tern

@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Examining both ends, each with the rows around it.
+/// Operations of examining both ends, each with the rows around it.
 constexpr Operations kEndsOperations = 2 * kJoinWidth * kJoinWidth * ops::kRow;
 
 /// Refuses an end that joins no voxel, and begins to look for the free voxel nearest to it. If the end has room, first

@@ -22,8 +22,8 @@
 namespace tern {
 
 /// Searches that one query may make: the first, and more from other voxels that an end can join. Eight voxels meet in a
-/// corner, and each may lie in a separate pocket. Most pockets are small, so a limit on their pieces suffices: no
-/// search begins once kExpansionBound pieces of work are done.
+/// corner, and each may lie in a separate pocket. Most pockets are small, so no search begins once kExpansionBound
+/// pieces of work are done.
 constexpr std::uint32_t kJoinSearches = 4096;
 
 /// Bound on SearchStage::pieces: kExpansionBound until the last search begins, that search, and the lines
@@ -31,7 +31,8 @@ constexpr std::uint32_t kJoinSearches = 4096;
 constexpr std::uint32_t kSearchBound =
     kExpansionBound + kVoxelSearchBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
-/// What to find. Local frame; both points are inside the grid's boundary, and break no wall and no solid.
+/// A query to the search stage. Local frame; both points are inside the grid's boundary, and break no wall and no
+/// solid.
 struct SearchQuery {
   Vec3 start;
   Vec3 goal;
@@ -74,13 +75,13 @@ struct SearchStage {
 /// The grid must be inflated, and the world must not change until the stage ends.
 void search_begin(SearchStage& stage, const World& world, const SearchQuery& query) noexcept;
 
-/// A piece of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
-/// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied,
-/// kStartTooNarrow, kGoalTooNarrow, kNoPath, kNodesFull,
-/// kOpenFull or kJumpPointsFull, with `out` undefined. Pass the same `out` in every call.
+/// A piece of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: `out` has the
+/// raw path, and each point of it sees the next. kFailed: kStartOccupied, kGoalOccupied, kStartTooNarrow,
+/// kGoalTooNarrow, kNoPath, kNodesFull, kOpenFull or kJumpPointsFull, with `out` undefined. Pass the same `out` in
+/// every call.
 ///
 /// Every leg lies in free voxels, except the first or the last if the exact start or goal is not in a free voxel. Such
-/// a leg leads to a free voxel near it along a line that keeps the radius.
+/// a leg leads to a free voxel nearby along a line that keeps the radius.
 Progress search_advance(SearchStage& stage, const World& world, Work& work, Path& out) noexcept;
 
 }  // namespace tern

@@ -17,12 +17,12 @@ namespace tern {
 /// are rare, and tightening finds most of them again.
 constexpr int kSightWindow = 64;
 
-/// Bound on units. Each point takes one unit for each candidate except the nearest, and one to go on to the next point.
+/// Bound on pieces of work. Each point takes one for each candidate except the nearest, and one to go on to the next
+/// point.
 constexpr std::uint32_t kChainBound =
     static_cast<std::uint32_t>(kMaxJumpPoints) * static_cast<std::uint32_t>(kSightWindow);
 
-/// The price of a leg, which is added to its length, in voxels. One leg fewer is worth a twentieth of a voxel of
-/// length.
+/// The price of a leg, added to its length, in voxels.
 constexpr double kLegPrice = 0.05;
 
 /// The best known chain from the first point of the path to one of its points.
@@ -43,15 +43,15 @@ struct Shortcut {
 /// checked join.
 void shortcut_begin(Shortcut& shortcut, const Grid& grid, Path& path) noexcept;
 
-/// True while there are units of work to be done; false when the chain is complete.
+/// True until the chain is complete.
 bool shortcut_needs_step(const Shortcut& shortcut, const Path& path) noexcept;
 
-/// Does one unit of work: walks at most one line of sight and ranks at most kSightWindow candidates. Call only while
+/// Does one piece of work: walks at most one line of sight and ranks at most kSightWindow candidates. Call only while
 /// shortcut_needs_step().
 void shortcut_step(Shortcut& shortcut, const Grid& grid, Path& path) noexcept;
 
-/// Writes path.points, count and length. Call it once, when no unit is left. kOk, or kSegmentsFull with only path.count
-/// changed.
+/// Writes path.points, count and length. Call it once, when the chain is complete. kOk, or kSegmentsFull with only
+/// path.count changed.
 Status shortcut_finish(Shortcut& shortcut, Path& path) noexcept;
 
 }  // namespace tern

@@ -13,8 +13,7 @@ Operations chain_operations(const Shortcut& shortcut, const Grid& grid, const Pa
   return ops::kPiece + sight_operations(grid, path.raw[shortcut.probe], path.raw[shortcut.head]);
 }
 
-/// A trial looks along both legs at the waypoint. Counted from the waypoint's present place, wherever the trial moves
-/// it.
+/// A trial looks along both legs at the waypoint. They count as long as they are before the trial moves the waypoint.
 Operations trial_operations(const Tighten& tighten, const Grid& grid, const Path& path) {
   const Vec3* const at = path.points + tighten.waypoint;
   return ops::kPiece + sight_operations(grid, at[-1], at[0]) + sight_operations(grid, at[0], at[1]);

@@ -61,8 +61,8 @@ struct Track {
   }
 };
 
-/// The voxels of a range in the order in which the track meets them. A moved line is usually blocked near its first
-/// end.
+/// Voxel number n of a range, in the order in which the track meets them. A line is usually blocked near the end that
+/// tightening has moved, and that end comes first.
 std::int32_t met(const Track& track, const IndexRange& range, std::int32_t n) {
   return track.slope < 0.0 ? range.end - 1 - n : range.begin + n;
 }
@@ -126,7 +126,7 @@ bool whole_line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double 
   return true;
 }
 
-/// Layers that a segment may use on each axis; not used if the axis is not thin.
+/// Layers that a segment may lie in on each thin axis; without meaning on other axes.
 struct Layers {
   IndexRange open[3];
   bool thin[3];

@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// The coordinate along one axis at which the path from a over the line through p to b is shortest. If the half-planes
-/// from this line to a and to b are unfolded into one plane, the shortest path is a straight line.
+/// The coordinate at which a path from a to b is shortest if it touches the line through p along the axis. If the
+/// half-planes from this line to a and to b are unfolded into one plane, the shortest path is a straight line.
 double shortest_along(const Vec3& a, const Vec3& p, const Vec3& b, int along) {
   Vec3 to_a = a - p;
   Vec3 to_b = b - p;
@@ -46,7 +46,7 @@ Vec3 target(const Path& path, int waypoint, TightenMove move) {
   return to;
 }
 
-/// Length of the two legs that meet at `at`, in place of the waypoint.
+/// Length of the two legs at the waypoint if the waypoint were at `at`.
 double bend(const Tighten& tighten, const Path& path, const Vec3& at) {
   return distance(path.points[tighten.waypoint - 1], at) + distance(at, path.points[tighten.waypoint + 1]);
 }

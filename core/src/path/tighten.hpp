@@ -33,8 +33,8 @@ constexpr double kTightenGain = 0.1;
 /// places, slower plans.
 constexpr double kTightenMargin = 0.15;
 
-/// The moves that are tried with a waypoint, in this order. Each follows a straight line along which the path gets
-/// shorter.
+/// The moves that are tried with a waypoint, in this order. Each but kDrop follows a straight line along which the path
+/// gets shorter.
 enum class TightenMove : std::uint8_t {
   kDrop,    ///< leave the waypoint out
   kBack,    ///< towards the waypoint before it

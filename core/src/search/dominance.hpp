@@ -24,8 +24,8 @@ constexpr std::int32_t kDominancePages = static_cast<std::int32_t>((kMaxCells + 
 
 /// Plain data; needs no initialisation before dominance_reset, which clears one bit a page.
 struct DominanceMap {
-  std::int32_t width;  ///< pages along x; `slice`: pages of a layer in x and y
-  std::int32_t slice;
+  std::int32_t width;                             ///< pages along x
+  std::int32_t slice;                             ///< pages along x and y
   std::uint64_t known[kDominancePages / 64 + 1];  ///< one bit for each page: it has a record
   /// For each page, the recorded voxel's cost, rounded up to a multiple of 64, plus its place in the page, x + 4 y +
   /// 16 z.
@@ -58,7 +58,7 @@ inline bool page_box_free(const Grid& grid, const Voxel& a, const Voxel& b) noex
   return (blocked & mask) == 0;
 }
 
-/// True if a cheaper path than `g` to `voxel` is known: from the page's recorded voxel, with the box between the two
+/// True if a path to `voxel` cheaper than `g` is known: from the page's recorded voxel, with the box between the two
 /// free. Otherwise records the voxel, just reached at cost `g`, if it costs no more than the recorded one.
 inline bool dominated_else_record(DominanceMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept {
   constexpr Cost kPlaceMask = 63;
@@ -73,7 +73,7 @@ inline bool dominated_else_record(DominanceMap& map, const Grid& grid, const Vox
     record = ((g + kPlaceMask) & ~kPlaceMask) | place;
     return false;
   }
-  // Most voxels are not dominated: another voxel is at least one step away from the recorded one.
+  // A quick answer for most voxels: a path from another voxel takes at least one more step.
   if (cost + kStraightCost >= g && (record & kPlaceMask) != place) return false;
   const Voxel from = voxel_in_page(page_coordinates(voxel), static_cast<int>(record & kPlaceMask));
   return cost + octile(from, voxel) < g && page_box_free(grid, from, voxel);

@@ -63,7 +63,7 @@ bool stops_at(const Expansion& from, Cost g, Cost h, int step) {
   return step >= kSweepSteps || h == 0 || g + h > from.limit;
 }
 
-/// How many such steps stay inside the grid; at most kSweepSteps.
+/// The number of steps `step` from `at` that stay inside the grid; at most kSweepSteps.
 int steps_inside(const Grid& grid, const Voxel& at, const Voxel& step) {
   int steps = kSweepSteps;
   for (int a = 0; a < 3; ++a) {

@@ -19,7 +19,7 @@ struct Expansion {
   std::uint32_t node;
   Voxel at;
   Cost g;
-  Cost limit;  ///< a sweep ends at an open node, which can resume it, if f = g + h exceeds this
+  Cost limit;  ///< once f = g + h exceeds this, a sweep ends and leaves an open node that can resume it
 };
 
 /// Puts the voxel next to expansion.at along the legal move `move` into the search.
@@ -28,7 +28,8 @@ void step(const Expansion& expansion, int move) noexcept;
 /// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent:
 /// straight moves go to the next jump stop; diagonal moves sweep step by step. From every step, a sweep jumps along
 /// each part of the move along fewer axes. `free` holds the cells around expansion.at. A sweep ends at a jump point, at
-/// its limit or at the goal; that node continues it. Overflows set nodes_full or open_full of the search.
+/// its limit or at the goal. Expanding the node there continues the sweep. Overflows set nodes_full or open_full of the
+/// search.
 void jump(const Expansion& expansion, int move, CellMask free) noexcept;
 
 }  // namespace tern

@@ -74,7 +74,7 @@ void add_diagonal_side(JumpStopWord& stop, const RowWords& side, const RowWords&
   stop.down |= side.greater() & ~(square.word | square.lesser());
 }
 
-/// Blocked voxels of 64 lines along y or z and beside them, at one step along the lines.
+/// The blocked voxels of 64 lines along y or z, and those beside them, at one step along the lines.
 struct Slice {
   std::uint64_t own;
   std::uint64_t side[4];      ///< straight sides: lesser and greater x, lesser and greater third axis
@@ -82,7 +82,7 @@ struct Slice {
   std::uint64_t square[4];    ///< blocked if the diagonal side, one of its straight parts or the line is
 };
 
-/// Step `along` of the lines along kAxis at `third`.
+/// Reads step `along` of the lines along kAxis at `third`.
 template <int kAxis>
 Slice slice_at(const RowReader& rows, std::int32_t along, std::int32_t third) {
   const auto row = [&](std::int32_t t) { return kAxis == 1 ? rows.at(along, t) : rows.at(t, along); };

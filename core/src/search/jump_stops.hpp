@@ -13,8 +13,8 @@
 
 namespace tern {
 
-/// Words along one axis. If a map does not fit because it is thin along the axis, jumps walk voxel by voxel along
-/// that axis.
+/// Capacity for the stops along one axis, in words. If a map does not fit because it is thin along the axis, jumps walk
+/// voxel by voxel along that axis.
 constexpr std::int32_t kJumpStopWords = static_cast<std::int32_t>((kMaxCells + 63) / 64);
 
 /// The stops of jumps towards greater coordinates (`up`) and towards lesser ones (`down`). A stop is a voxel that is
@@ -40,15 +40,15 @@ struct JumpStopLayer {
 /// 160 steps, so a tile that is jumped through only once or twice is never made.
 constexpr std::uint8_t kWalkFirst = 64;
 
-/// Prepares the layer of an axis, with nothing made yet: clears one bit for each word or tile.
+/// Prepares the layer of an axis, with nothing made yet: clears one bit for each word or tile, and the steps walked.
 void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis) noexcept;
 
-/// Makes word `word` of the line along x at (y, z): from three words of each of nine rows, each combined four times.
+/// Makes word `word` of the line along x at (y, z), from three words of each of nine rows.
 void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z,
                          std::int32_t word) noexcept;
 
 /// Makes word `word` of the lines along `axis` (1 or 2) at x = 64 column .. 64 column + 63 and `third` on the third
-/// axis: 64 times from the words of nine rows, then two transpositions in six rounds.
+/// axis: 64 steps from the words of three rows each, then two transpositions.
 void jump_stops_fill_tile(JumpStopLayer& layer, const Grid& grid, int axis, std::int32_t column, std::int32_t third,
                           std::int32_t word) noexcept;
 

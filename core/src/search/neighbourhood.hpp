@@ -81,7 +81,7 @@ inline constexpr CommonCells kCommonCells = make_common_cells();
 /// Renumbers a set of cells around a voxel as cells around the end of a move from that voxel. Cells that are not around
 /// the end are left out; for kHere, all are.
 ///
-/// A search need not move to a cell that the voxel before could move to: the direct move is shorter than the way round.
+/// A search uses this to leave out the cells that the voxel before could move to: the direct move is shorter.
 constexpr CellMask cells_after(CellMask cells, int move) {
   // Shifts up by kHere and down by the move's number, so that no branch depends on the direction.
   return static_cast<CellMask>(std::uint64_t{cells} << kHere >> move) & kCommonCells.after[move];

@@ -24,7 +24,7 @@ constexpr BlockedRow make_blocked_row() {
 }
 inline constexpr BlockedRow kBlockedRow = make_blocked_row();
 
-/// A row of the blocked layer beside the walk, which goes `stride` words further with each step.
+/// A row of the blocked layer beside the walk. Each step moves it by `stride` words.
 struct Row {
   const std::uint64_t* words;
   std::int64_t stride;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which moves a search must follow from a voxel that it reached by a given move: natural and forced neighbours of jump
-// point search in three dimensions, without corner cutting.
+// The moves that a search must follow from a voxel, given the move that reached it: natural and forced neighbours of
+// jump point search in three dimensions, without corner cutting.
 //
 // Let p be the voxel before n, and m the voxel after it. The move to m is pruned if the 3x3x3 cells around n hold a
 // path from p to m that avoids n and is shorter. It is also pruned if such a path is as long but begins with a move
@@ -163,8 +163,8 @@ inline bool legal_move(int move, CellMask free) noexcept {
   return prune::covers(free, prune::kPrune.box[move]);
 }
 
-/// All legal moves. A diagonal's box consists of its end and the boxes of its parts along fewer axes. A step along an
-/// axis from a cell of one kind to a cell of the next is 1, 3 or 9 places in the mask.
+/// All legal moves. A diagonal's box consists of its end and the boxes of its parts along fewer axes. A step along x, y
+/// or z is 1, 3 or 9 places in the mask.
 inline CellMask legal_moves(CellMask free) noexcept {
   using prune::kSets;
   const CellMask x = free & kSets.straight[0];

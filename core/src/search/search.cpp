@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint32_t kMostSteps = 4;
 
 /// A search begins step by step, as A* does, but without the moves that jump point search prunes. An easy query ends
-/// this way before jumps would pay. False once the search has made its least number of steps, if its
-/// progress so far does not suggest that it will end within the largest number.
+/// this way before jumps would pay. True up to the least number of steps, and then while the progress so far suggests
+/// that the search ends within the largest number.
 bool steps_pay(const Search& search) {
   if (search.expanded <= search.steps) return true;
   const Cost whole = octile(search.start, search.goal) / kStraightCost;
@@ -37,9 +37,10 @@ void begin_jumps(Search& search, const Grid& grid, Work& work) {
   }
 }
 
-/// The slack is how far sweeps go on beyond the expanded node's f; this is its maximum, in voxels. It is 0 at first, so
-/// that easy queries do not sweep voxels that they never need. It grows as the search lasts, so that hard queries open
-/// few nodes. Any slack gives a path of the same cost; these constants were tuned on the six maps and on random ones.
+/// The largest slack, in voxels. Sweeps go on until f exceeds the expanded node's by the slack. The slack is 0 at
+/// first, so that easy queries do not sweep voxels that they never need. It grows as the search lasts, so that hard
+/// queries open few nodes. Any slack gives a path of the same cost; these constants were tuned on the six maps and on
+/// random ones.
 constexpr Cost kMostSlack = 16;
 constexpr Cost kSlackPace = 1024;  ///< expansions until the slack grows by a voxel
 

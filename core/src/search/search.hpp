@@ -61,8 +61,9 @@ void search_begin(Search& search, const Grid& grid, const Voxel& start, const Vo
 /// store has a larger bound. Must not be called after the end.
 Status search_expand(Search& search, const Grid& grid, Work& work) noexcept;
 
-/// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets
-/// path.grid_length. Leaves room for `reserve` more points: kOk or kJumpPointsFull. Once, after kOk.
+/// Appends the turning points of the path found to path.raw, from the start to the goal voxel, each at its
+/// free_point(). Sets path.grid_length. Leaves room for `reserve` more points: kOk or kJumpPointsFull. Call it once,
+/// after kOk.
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
 
 }  // namespace tern

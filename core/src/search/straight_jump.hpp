@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Straight jumps: from a voxel along one axis to the first jump point, 64 voxels a step. Callers spend the same for a
-// jump whether its stops were made by an earlier one or are made now, which takes 1 to 2 % of a search.
+// jump whether or not it has to make its stops. Making stops takes 1 to 2 % of a search.
 #ifndef TERN_SEARCH_STRAIGHT_JUMP_HPP
 #define TERN_SEARCH_STRAIGHT_JUMP_HPP
 
@@ -42,7 +42,7 @@ inline bool section_forces(CellMask from, CellMask at, CellMask beyond) noexcept
 }
 
 /// The coordinate on kAxis of the first voxel after `from`, up to and including `last`, at which a jump stops. If there
-/// is none: the coordinate after `last`, which is `last` + 1 if kUp, otherwise `last` - 1.
+/// is none: `last` + 1 if kUp, otherwise `last` - 1.
 template <int kAxis, bool kUp>
 std::int32_t walk_line(const Grid& grid, Voxel from, std::int32_t last) noexcept {
   constexpr CellMask kOwn = 1u << 4;
@@ -67,7 +67,7 @@ namespace straight_jump {
 /// The result of a jump that has neither a jump point nor the goal ahead.
 constexpr std::int32_t kNowhere = -1;
 
-/// Does what jump_straight does, but voxel by voxel, along an axis whose layer has no stops.
+/// As jump_straight(), but voxel by voxel, for an axis without stops.
 inline std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, int move) noexcept {
   const Voxel step = offset(move);
   const int along = step.x != 0 ? 0 : (step.y != 0 ? 1 : 2);
@@ -98,8 +98,7 @@ std::uint64_t walk_word(JumpStopLayer& layer, std::int32_t tile, const Grid& gri
   return stop >> 6 == k ? std::uint64_t{1} << (stop & 63) : 0;
 }
 
-/// The stops ahead in word k of the line. If the tile has not been made yet, only the first of them, which a walk
-/// finds.
+/// The stops in word k of the line. If the tile is not made yet, only the first stop ahead: a walk finds it.
 template <int kAxis, bool kUp>
 std::uint64_t stops_in_word(JumpStopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
   const std::int32_t index = jump_stops_index<kAxis>(layer, from, k);
