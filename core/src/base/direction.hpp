@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The 26 moves of the grid and what they cost. Directions and the cells around a voxel share one numbering, 0 .. 26
-// with x fastest, so that a set of either is a 27-bit mask; 13 is the voxel itself.
+// The 26 moves of the grid and their costs. Directions and the cells around a voxel share one numbering, 0 .. 26 with x
+// fastest; 13 is the voxel itself. A set of either is a 27-bit mask.
 #ifndef TERN_BASE_DIRECTION_HPP
 #define TERN_BASE_DIRECTION_HPP
 

@@ -19,7 +19,7 @@
 
 namespace tern {
 
-/// Legs longer than this, in metres, are cut into equal pieces if the capacity for segments allows it: a single box
+/// Legs longer than this, in metres, are cut into equal pieces if the capacity for segments allows it. A single box
 /// around a long oblique leg would contain obstacles that are nowhere near the leg.
 constexpr double kLongLeg = 8.0;
 
@@ -55,7 +55,7 @@ struct CorridorStage {
   bool at_via;           ///< the current piece begins at a via
   std::int32_t fixed;    ///< polyhedra before the one that begins at the last via
   std::int32_t built;    ///< polyhedra so far, dropped ones included; <= kMaxSegments
-  Vec3 from;             ///< where the next polyhedron begins
+  Vec3 from;             ///< beginning of the next polyhedron
   std::int32_t pending;  ///< count of `ends`: the ends of the piece's halves, that of the next half last
   Vec3 ends[kMaxHalvings + 1];
   bool growing;  ///< the polyhedron of the piece is being grown
@@ -73,7 +73,7 @@ void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks = nu
 /// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in
 /// the path's order, but some may be skipped. A polyhedron takes over a neighbouring piece if it contains the far end
-/// of that piece with kSightMargin of a voxel to spare; the polyhedron's line then leads straight to or from that end.
+/// of that piece with kSightMargin of a voxel to spare. The polyhedron's line then leads straight to or from that end.
 /// The first and the last piece of the path always have polyhedra of their own. No polyhedron spans a via.
 ///
 /// Any two neighbours share a ball around their common point, if the interior legs of the path keep kSightMargin of a

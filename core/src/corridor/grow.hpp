@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The polyhedron of one segment (the paper's Section 3.3.1): a box around the segment, the obstacles in it as solid
-// boxes, an ellipsoid fitted between them, and half-spaces that cut them off, the nearest in the ellipsoid's metric
+// The polyhedron of one segment (the paper's Section 3.3.1). The obstacles in a box around the segment become solid
+// boxes, and an ellipsoid is fitted between these. Half-spaces cut them off, the nearest in the ellipsoid's metric
 // first. Every obstacle voxel of the whole grid ends up beyond one half-space by the grid's radius.
 #ifndef TERN_CORRIDOR_GROW_HPP
 #define TERN_CORRIDOR_GROW_HPP

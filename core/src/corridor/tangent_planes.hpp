@@ -20,9 +20,9 @@ struct Sieve {
   int kept;  ///< boxes so far that no half-space cuts off
 };
 
+constexpr int kSieved = 64;
 /// Moves the boxes that no half-space cuts off by `radius` to the front, in their order. A piece of work looks at
 /// kSieved boxes. kDone: sieve.kept is their number.
-constexpr int kSieved = 64;
 Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count,
                     Work& work) noexcept;
 
@@ -42,9 +42,9 @@ struct TangentPass {
 /// other obstacle that it cuts off. Each half-space settles at least one obstacle.
 void tangents_begin(TangentPass& pass, const EllipsoidMetric& metric) noexcept;
 
+constexpr int kListed = 128;
 /// A piece of work lists kListed obstacles, or computes a contact. After the last contact that a half-space needs, it
 /// also makes the half-space. kDone, or kFailed with `status` kCorridorBlocked or kPlanesFull.
-constexpr int kListed = 128;
 Progress tangents_advance(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment,
                           GrowScratch& scratch, Polyhedron& out, Work& work, Status& status) noexcept;
 

@@ -58,10 +58,10 @@ struct EllipsoidFit {
 /// half-spaces their directions.
 void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept;
 
-/// A piece of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.
-/// `inside` is scratch for obstacles.count indices. Do not touch it until kDone.
 constexpr int kFitScreens = 256;
 constexpr int kFitContacts = 16;
+/// A piece of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.
+/// `inside` is scratch for obstacles.count indices. Do not touch it until kDone.
 Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept;
 
 /// The ellipsoid with every semi-axis raised to at least `share` of the first. If a segment grazes an obstacle, its

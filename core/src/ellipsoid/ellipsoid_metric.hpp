@@ -49,8 +49,8 @@ BoxContact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double
 /// take a product with the matrix.
 constexpr Operations kContactOperations = 3 * 3 * 8 * ops::kDot;
 
-/// A lower bound of the scale at which the growing ellipsoid meets the box grown by the radius, for a fraction of the
-/// price of contact_of: the ellipsoid meets the box beyond any plane that cuts the box off.
+/// A lower bound of the scale at which the growing ellipsoid meets the box grown by the radius. It takes a fraction of
+/// the price of contact_of: the ellipsoid meets the box beyond any plane that cuts the box off.
 double least_scale(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
 /// Operations of least_scale(): the box's bounds, the nearest offset, and a product with the matrix.
 constexpr Operations kScaleOperations = 8 * ops::kDot;

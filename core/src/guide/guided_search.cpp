@@ -60,8 +60,8 @@ Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, con
   return best;
 }
 
-/// Sets the carrot of a page whose block is closed: the middle of the block two blocks further along the guide's path,
-/// or the goal if the path ends first.
+/// Sets the carrot of a page whose block is closed. This is the middle of the block two blocks further along the
+/// guide's path, or the goal if the path ends first.
 void set_carrot(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
   const BlockMap& map = search.guide.map;
   Voxel block = next_block(search, grid, map.block_of(voxel), voxel);
@@ -174,8 +174,8 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
   return expand(search, grid, index, at, place);
 }
 
-/// Lets the guide take entries off its list, one a piece of work, until it has closed the awaited block, stalls or
-/// fails, or nothing is left of the slice.
+/// Lets the guide take entries off its list, one a piece of work. Ends once the guide has closed the awaited block,
+/// stalls or fails, or if nothing is left of the slice.
 Status advance_guide(GuidedSearch& search, const Grid& grid, Work& work) {
   const Block& awaited = search.guide.map.blocks[search.awaited];
   // If guide_left is 0 here, the guide has closed the start's block, and may take any number of entries.

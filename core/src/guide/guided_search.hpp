@@ -51,9 +51,9 @@ struct GuidedSearch {
 bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal,
                   bool small = false) noexcept;
 
+constexpr std::uint32_t kGuideStallLimit = 4096;
 /// True once the guide has taken kGuideStallLimit entries without reaching the start's block: the start may be walled
 /// in. The search continues after guided_reopen().
-constexpr std::uint32_t kGuideStallLimit = 4096;
 inline bool guide_stalls(const GuidedSearch& search) noexcept {
   return search.guide_left == 0 && !block_closed(search.guide, search.guide.map.index(search.guide.target));
 }

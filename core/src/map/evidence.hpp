@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a map knows about 64 voxels, and how hits and misses change that. Each operation on words handles all 64 at
+// The evidence of a map about 64 voxels, and its change by hits and misses. Each operation on words handles all 64 at
 // once.
 #ifndef TERN_MAP_EVIDENCE_HPP
 #define TERN_MAP_EVIDENCE_HPP

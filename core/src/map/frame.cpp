@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A depth image: checks it, places its view in the window, and enters what it sees into the map.
+// A depth image: checks it, places its view in the window, and enters its hits and misses into the map.
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "base/work.hpp"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Operations on a grid that only the rolling map may use: writing whole words of obstacles, inflating plane by plane,
-// and moving the lattice under the voxels.
+// Operations on a grid that only the rolling map may use: writing whole words of obstacles, inflating piece by piece,
+// copying, and moving the lattice under the voxels.
 #ifndef TERN_MAP_GRID_WORDS_HPP
 #define TERN_MAP_GRID_WORDS_HPP
 
@@ -44,22 +44,22 @@ class GridWords {
   void finish_inflation() const noexcept;
 
   /// Begins to make a bound grid equal to an inflated one of the same size, cell and radius. Their origins may differ.
-  /// No object of the grid is bound until end_copy().
+  /// No Grid object is bound to its words until end_copy().
   void begin_copy(const Grid& from) const noexcept;
   /// Copies both layers of planes begin .. end - 1.
   void copy_planes(const Grid& from, std::int32_t begin, std::int32_t end) const noexcept;
   /// Ends the copy: this object is bound again, and inflated.
   void end_copy(const Grid& from) const noexcept;
 
-  /// Begins to move the content of an inflated grid: no object of it is bound until end_shift().
+  /// Begins to move the content of an inflated grid. No Grid object is bound to its words until end_shift().
   void begin_shift() const noexcept;
   /// Notes that words first .. last of obstacle row (y, z) have changed, so the blocked rows around them must be made
   /// again.
   void note(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last) const noexcept;
   /// Moves the lattice's lower corner, and the boundary with it, to another place in the world.
   void move_to(const Vec3& origin) const noexcept;
-  /// Ends the move: voxel v now holds what v + by held before. Only this object is bound again. The
-  /// noted words wait for inflation.
+  /// Ends the move: voxel v now has the content of voxel v + by before. Only this object is bound again. The noted
+  /// words wait for inflation.
   void end_shift(const Voxel& by) const noexcept;
 
  private:

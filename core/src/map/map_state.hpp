@@ -24,13 +24,13 @@ namespace tern {
 /// Points or beams of a piece, and the operations of such a piece: each is sorted into a face, and marked.
 constexpr std::size_t kPiecePoints = 64;
 constexpr Operations kPointsOperations = 64 * 19 * ops::kDot;
-/// Of a word of the prior that is marked: in the layers of both grids, with their changes.
+/// Operations of marking a word of the prior in the layers of both grids, with their changes.
 constexpr Operations kMarkOperations = 11 * ops::kWord;
 
 /// Views of a scan: the faces of a cube around its origin.
 constexpr int kFaces = 6;
 
-/// The task that a job does next.
+/// The next task of a job.
 enum class Task : std::uint8_t {
   kIdle,
   kPixels,        ///< rows of a depth image
@@ -92,7 +92,7 @@ class MapState {
   std::int32_t forget;    ///< the next layer to forget
   std::int32_t face;      ///< pixels along an edge of a scan's face
   Task task;
-  Work slice;          ///< what step() was given; a debt between two calls
+  Work slice;          ///< the work of step(); between two calls, its debt
   std::int64_t piece;  ///< the next piece of the task
   Frame frame;
   Voxel slide_by;  ///< of the slide that is being made: voxel v of the new window is voxel v + slide_by of the old one
@@ -140,15 +140,16 @@ class MapState {
 
   // Operations of parts of pieces; a job's bound is made of them, too.
 
-  /// Of a row of pixels: each is read and marked, and with support compared with its neighbours.
+  /// Operations of a row of pixels: each is read and marked, and with support compared with its neighbours.
   Operations pixels_operations(std::int32_t width) const noexcept {
     return ops::kPiece + (3 * ops::kDot + (spec.support > 0 ? 6 * ops::kDot : 0)) * width;
   }
-  /// Of a plane that moves, in seven layers: by whole rows, its words are copied; otherwise each is shifted.
+  /// Operations of moving a plane in seven layers. If it moves by whole rows, words are copied; otherwise each is
+  /// shifted.
   Operations moved_operations(bool rows) const noexcept {
     return ops::kPiece + 7 * (rows ? 2 * ops::kElement : 3 * ops::kWord) * static_cast<Operations>(row(0, 1));
   }
-  /// Of a row of the safe grid that is made anew.
+  /// Operations of renew_row().
   Operations renewed_operations() const noexcept { return ops::kRow + 5 * ops::kWord * row_words(); }
 
   /// Marks hits of the current frame.
@@ -175,7 +176,7 @@ inline Box window_box(const Vec3& origin, double cell, const Voxel& dims) noexce
   return {origin, origin + size};
 }
 
-/// The reason for refusing a pose, an image or a time; kOk if it is valid.
+/// The reason for refusing a sensor's position or time, or a busy map; else kOk.
 Status check_sensor(const MapState& state, const Vec3& position, std::int64_t t) noexcept;
 
 /// Pixels along an edge of a scan's face; 0 if the map takes no scans.

@@ -66,7 +66,7 @@ struct WideChunk {
   }
 };
 
-/// Judges each pixel of a chunk by its neighbours: how far it sees, and at what depth it hits.
+/// Judges each pixel of a chunk by its neighbours: the depth up to which it sees, and the depth that it hits.
 void judge_chunk(const DepthView& view, const Scale& scale, const Support& support, std::int32_t u, std::int32_t v,
                  std::int32_t count, float* sees, float* hits) {
   WideChunk rows[3];
@@ -78,7 +78,8 @@ void judge_chunk(const DepthView& view, const Scale& scale, const Support& suppo
   }
 }
 
-/// Converts a measured depth to the depth that is certainly free, in units. The unit that it subtracts covers rounding.
+/// Converts a measured depth to the depth that is certainly free, in units of Depth. It subtracts one unit for
+/// rounding.
 struct FreeDepth {
   float margin, margin_square, range, units;
 

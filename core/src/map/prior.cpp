@@ -53,7 +53,7 @@ double farthest_square(double cells, std::int32_t index) {
   return far * far;
 }
 
-/// The voxels, 64 from `first` on along x, that lie wholly in a ball.
+/// Of the 64 voxels from `first` on along x, those that lie wholly in a ball.
 std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first, std::int32_t count) {
   const double rest = square - farthest_square(center.y, first.y) - farthest_square(center.z, first.z);
   std::uint64_t bits = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A scan. Its beams are sorted into images on the six faces of a cube around the sensor. These images are then used
-// like that of a camera. docs/map.md proves what they show.
+// like that of a camera. docs/map.md has the proof.
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "map/map_state.hpp"
@@ -20,7 +20,7 @@ constexpr double kReach = 1.25;
 /// lattice.
 constexpr double kRelief = 0.6125;
 
-/// Width of a face, in scan_pixels: 2.5 / scan_pixel.
+/// Pixels along an edge of a face, times scan_pixel.
 constexpr double kScanWidth = 2.5;
 
 /// The view of face f looks along axis f / 2, in its positive direction if f is even. The image's axes are the next two
@@ -46,8 +46,8 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
   return view;
 }
 
-/// The vectors from the sensor to four points, and what each ray shows. Single precision is enough: depths are rounded
-/// towards the sensor, and a point is off by less than a ten thousandth of a pixel.
+/// The vectors from the sensor to four points, and the free depth of each ray. Single precision is enough: depths are
+/// rounded towards the sensor, and a point is off by less than a ten thousandth of a pixel.
 struct FourRays {
   Four axes[3];
   Four returned;   ///< 1 if something sent the beam back, else 0
@@ -119,7 +119,7 @@ void set_free(FourRays& rays, const MapSpec& spec, double units) {
   rays.hits = (rays.returned > 0.0f) & (far > 0.0f) & (far <= static_cast<float>(spec.range));
 }
 
-/// What four rays show in a face: the pixel of each, and the depth up to which the ray is free.
+/// Four rays in a face: the pixel of each, and the depth up to which the ray is free.
 struct FourPixels {
   FourInts u, v, depth;
 };

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lone pixels: pixels that too few of the pixels around them agree with. A real surface nearly always covers more than
-// one pixel, so a lone pixel is most often an error of the sensor. Its depth may neither block a voxel nor free one.
+// Lone pixels: too few of the pixels around them agree with them. A real surface nearly always covers more than one
+// pixel, so a lone pixel is most often an error of the sensor. Its depth may neither block a voxel nor free one.
 #ifndef TERN_MAP_SUPPORT_HPP
 #define TERN_MAP_SUPPORT_HPP
 

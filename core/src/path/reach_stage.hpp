@@ -19,8 +19,8 @@
 
 namespace tern {
 
-/// The most pieces of work, without those of nearest_advance: clearing, the rows of the flood and, for each voxel that
-/// the start can join, its line and the beginning and end of its flood.
+/// The most pieces of work, without those of nearest_advance: clearing and the rows of the flood. Each voxel that the
+/// start can join adds its line, and the beginning and end of its flood.
 constexpr std::uint32_t kReachBound = kClearBound + kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
 
 /// A query to the reach stage. Local frame.

@@ -56,7 +56,7 @@ struct Tighten {
   TightenMove move;
   int trials;         ///< trials left for the current move
   double pass_start;  ///< the path's length when the pass began, metres
-  Vec3 from;          ///< where the move began
+  Vec3 from;          ///< beginning of the move
   Vec3 to;            ///< the farthest point that it may reach
   double reach;       ///< metres from `from` to `to`
   double seen;        ///< farthest distance found in sight, metres

@@ -15,7 +15,7 @@ constexpr double kDependent = 1e-18;
 constexpr double kRounding = 1e-26;
 /// Constraints of a warm start must be better conditioned, because leaving one out costs only an iteration.
 constexpr double kWarmDependent = 1e-12;
-/// A ratio counts as positive above this share of what the lengths of the constraints suggest.
+/// A ratio counts as positive above this share of the entering constraint's length over the active one's.
 constexpr double kRatioTolerance = 1e-12;
 /// A full step that raises the dual objective by less than this share is rounding. More than kMaxStalled of them in a
 /// constraint are a stall.
@@ -27,8 +27,8 @@ struct Limit {
   int constraint;  ///< -1: no multiplier of an active constraint falls to zero
 };
 
-/// How far the entering multiplier can grow until that of an active constraint is zero. Of equals, the constraint that
-/// was added first.
+/// The growth of the entering multiplier at which the first multiplier of an active constraint is zero. Of equals, the
+/// constraint that was added first.
 Limit dual_limit(const QpSolver& solver) {
   const double scale = kRatioTolerance * square_root(solver.entering_squared);
   Limit limit = {0.0, -1};
@@ -47,7 +47,7 @@ void move_multipliers(QpSolver& solver, double length) {
   solver.entering_multiplier += length;
 }
 
-/// Moves z and updates the entering constraint's violation. Returns how much the dual objective rises.
+/// Moves z and updates the entering constraint's violation. Returns the rise of the dual objective.
 double move_point(QpSolver& solver, double length) {
   add_scaled(-length, solver.direction, solver.z, 0, solver.stride);
   const double before = solver.entering_violation;

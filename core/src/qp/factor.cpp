@@ -41,7 +41,7 @@ void project_batch(const QpSolver& solver, int j, int begin, const double* v, do
   for (int b = 0; b < kBatch; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
 }
 
-/// Sum of two elements of four columns, each column times its coordinate.
+/// Two elements of the sum of four columns, each column times its coordinate.
 Pair combine(const Pair* c, const double* q, int stride) {
   return (c[0] * pair(q) + c[1] * pair(q + stride)) + (c[2] * pair(q + 2 * stride) + c[3] * pair(q + 3 * stride));
 }
@@ -126,7 +126,7 @@ void rotate_coordinates(const QpSolver& solver, int first, int last, double* v) 
   v[last] = carried;
 }
 
-/// Applies all rotations to one strip of elements before the next strip, so each element is read and written once.
+/// Applies all rotations to kPad elements before the next ones, so each element is read and written once.
 void rotate_basis(QpSolver& solver, int first, int last) {
   for (int i = 0; i < solver.stride; i += kPad) {
     double* at = column(solver, first) + i;

@@ -10,8 +10,7 @@ namespace {
 constexpr double kPivotRounding = 1e-13;
 /// A pivot that is mostly rounding is raised to at least this share of its diagonal element.
 constexpr double kPivotFloor = 1e-15;
-/// A pivot that is raised is raised so far that its column subtracts at most 1 / kPivotShare of any other diagonal
-/// element.
+/// A raised pivot is so large that its column subtracts at most 1 / kPivotShare of any other diagonal element.
 constexpr double kPivotShare = 4.0;
 
 /// Below this share of its diagonal terms, beta' H^-1 beta is lost in rounding. The value only steers pricing.
@@ -19,7 +18,7 @@ constexpr double kNormFloor = 1e-12;
 /// Replaces a squared length that overflowed, so that such a point does not count as constant.
 constexpr double kNormCeiling = 1e300;
 
-/// How far column i of L reaches below its diagonal.
+/// Number of elements of column i of L below its diagonal.
 int reach_of(int i, int n) {
   return n - 1 - i < kQpBand ? n - 1 - i : kQpBand;
 }
@@ -55,9 +54,9 @@ void eliminate(QpSolver& solver, int i, int reach, double inverse_pivot) {
   }
 }
 
-/// Makes sure that pivot i can be divided by. False if H is not finite or, apart from rounding, not positive definite.
-/// Raising a pivot that is rounding changes H no more than rounding already did, and answers are judged by residuals of
-/// the original H.
+/// Makes pivot i safe to divide by. False if H is not finite or, apart from rounding, not positive definite. Raising a
+/// pivot that is rounding changes H no more than rounding already did, and answers are judged by residuals of the
+/// original H.
 bool secure_pivot(const QpProblem& problem, QpSolver& solver, int i, int reach) {
   const double diagonal = problem.hessian[i][0];
   double* column = solver.factor[i];

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two doubles side by side, as in one register of SSE2 and NEON. They are written out so that a sum over a long vector
-// is fast and still has one order, the same with every compiler and at every optimisation level.
+// Two doubles side by side, as in one register of SSE2 and NEON. With these, a sum over a long vector is fast and still
+// has one order, the same with every compiler and at every optimisation level.
 #ifndef TERN_QP_LANES_HPP
 #define TERN_QP_LANES_HPP
 
@@ -18,7 +18,7 @@ constexpr int padded(int n) {
   return (n + kPad - 1) / kPad * kPad;
 }
 
-/// `p` is 16-byte aligned.
+/// The pair at `p`, which must be 16-byte aligned.
 inline const Pair& pair(const double* p) {
   return *reinterpret_cast<const Pair*>(p);
 }

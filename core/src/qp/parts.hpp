@@ -1,9 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parts of the solver, each of which has a source file of its own: constraints as (point, plane) pairs, with values
-// of points, planes with unit normals, and the constraints that depend on no unknown; then pricing, residuals, the
-// factor, the Hessian, and one iteration.
+// The parts of the solver, each in a source file of its own: constraints, pricing, residuals, the factor of the active
+// constraints, the Hessian, and one iteration.
 #ifndef TERN_QP_PARTS_HPP
 #define TERN_QP_PARTS_HPP
 

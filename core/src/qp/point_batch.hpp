@@ -90,7 +90,7 @@ void worst_by_planes(const QpUnitPlanes& planes, int begin, int end, const Point
   }
 }
 
-/// Computes the largest violation of each point in the batch by planes [.., plane_end) of a group. True if one is
+/// Computes the largest violation of each point in the batch by a group's planes before plane_end. True if one is
 /// positive.
 template <int kPairs>
 bool find_worst(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, PointBatch& batch) {

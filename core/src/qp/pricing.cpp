@@ -11,14 +11,13 @@ namespace {
 /// Above every possible violation. It marks a point that is NaN or infinite.
 constexpr double kNoNumber = 1e300;
 
-/// A batch is skipped while the worst violation found in it is below this share of that of the constraint that entered
-/// last.
+/// A batch is skipped while its worst violation is below this share of the last entering constraint's.
 constexpr double kWorthwhile = 0.3;
 /// No batch is skipped for kPassPeriod passes in a row. So newly violated constraints need not wait until all others
 /// are satisfied.
 constexpr int kPassPeriod = 6;
-/// After a pass, only the worst point of each promising batch is priced again. If the worst of them is still violated
-/// by more than this share of the constraint that entered last, its constraint enters without a pass.
+/// After a pass, only the worst point of each promising batch is priced again. If the worst violation there exceeds
+/// this share of the last entering constraint's, its constraint enters without a pass.
 constexpr double kEntersWithoutPass = 0.5;
 
 /// A pass in progress: the best constraint so far, and how far the pass has come.

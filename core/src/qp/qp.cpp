@@ -218,7 +218,7 @@ void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution
 
 namespace {
 
-/// Spends what was done since the last iteration.
+/// Spends the operations since the last iteration.
 void settle_work(QpSolver& solver, Work& work) {
   work.spend(solver.spent);
   solver.spent = 0;

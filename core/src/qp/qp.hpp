@@ -94,7 +94,7 @@ struct QpSolution {
   double farkas_gap;       ///< -b'y > 0
 };
 
-/// Solver state: opaque slice of the workspace. Plain data; needs no initialisation before qp_begin.
+/// The solver's state: an opaque part of the workspace. Plain data; needs no initialisation before qp_begin.
 struct QpSolver;
 
 /// Starts a solve. `warm` may name constraints to start from; null is a cold start. Any constraints are allowed, and
@@ -104,7 +104,7 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpConstraint* wa
 
 /// Runs iterations, at most `most`; a piece of work is one of them. Returns kRunning until the end, then kOk,
 /// kInfeasible (proven), kIterationLimit, kWorkingSetFull or kNumerical. Fills `solution` at the end. Unless kOk, its x
-/// is not feasible, because the method is dual. The first call also spends what qp_begin took.
+/// is not feasible, because the method is dual. The first call also spends the work of qp_begin().
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution,
                   int most = kMaxQpIterations) noexcept;
 

@@ -22,7 +22,7 @@ constexpr int packed_column(int j) {
   return 2 * (j / 2 + 1) * (j / 2 + j % 2);
 }
 
-/// What qp_advance does next.
+/// The next work of qp_advance().
 enum class QpPhase : std::uint8_t {
   kWarmConstraint,  ///< put the next warm constraint into the factor
   kWarmSigns,       ///< drop warm constraints with negative multipliers
@@ -41,18 +41,18 @@ struct QpUnitPlanes {
   bool zeros;                      ///< some normal is zero
 };
 
-/// What a pass needs to know about a group.
+/// The data of a group that a pass reads.
 struct QpScreen {
   // The first planes of the group, whose normals are along axes, as one box. Every bound is stored twice, as a pair.
   alignas(16) double low[kQpAxes][2];
   alignas(16) double high[kQpAxes][2];
   std::int32_t oblique;  ///< the first plane that is not in the box
-  // The group's points without those at its ends that depend on no unknown, which are priced once a solve.
+  // The group's points but for those at its ends that depend on no unknown. These are priced once a solve.
   std::int32_t moving_begin;
   std::int32_t moving_end;
 };
 
-/// What pricing found in a batch when it last priced it.
+/// The result of the last pricing of a batch.
 struct QpPrice {
   double distance;  ///< violation of the batch's most violated constraint, as a distance in z; 0 if none was violated
   std::int32_t point;  ///< point of that constraint
@@ -104,7 +104,7 @@ struct QpSolver {
   double entered;         ///< violation of the constraint found last, as a distance in z
   double worst;           ///< largest violation at x in the last pass
   double constant_worst;  ///< largest violation of points that depend on no unknown, in the first pass
-  double gain;            ///< how far the dual objective has risen
+  double gain;            ///< rise of the dual objective so far
   int unknowns;           ///< per axis
   int dimension;          ///< 3 * unknowns
   int stride;             ///< dimension, padded

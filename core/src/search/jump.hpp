@@ -25,8 +25,8 @@ struct Expansion {
 /// Puts the voxel next to expansion.at along the legal move `move` into the search.
 void step(const Expansion& expansion, int move) noexcept;
 
-/// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent:
-/// straight moves go to the next jump stop; diagonal moves sweep step by step. From every step, a sweep jumps along
+/// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent.
+/// Straight moves go to the next jump stop. Diagonal moves sweep step by step. From every step, a sweep jumps along
 /// each part of the move along fewer axes. `free` holds the cells around expansion.at. A sweep ends at a jump point, at
 /// its limit or at the goal. Expanding the node there continues the sweep. Overflows set nodes_full or open_full of the
 /// search.

@@ -22,8 +22,9 @@ namespace tern {
 
 /// Bound on the pieces of work of one search. Expansions alone stay below it. The heuristic is consistent, so the cost
 /// of a node is final when the node is first expanded. It is expanded again only after an arrival by another of the 26
-/// moves. Outdated entries of the open list and the sorting of bins are pieces too, and have no such bound: a node may
-/// be improved many times before it is expanded. So search_expand counts its pieces, and gives up at the bound.
+/// moves. Outdated entries of the open list and the sorting of bins are pieces too. They have no such bound, because a
+/// node may be improved many times before it is expanded. So search_expand counts its pieces, and gives up at the
+/// bound.
 constexpr std::uint32_t kExpansionBound =
     static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
 

@@ -10,7 +10,7 @@
 
 namespace tern {
 
-/// What is given at the joint at which a chain passes a via. Local frame.
+/// The joint at which a chain passes a via, and the values given there. Local frame.
 struct ViaJoint {
   int polyhedron;     ///< index of the polyhedron that begins there
   int segment;        ///< index of the chain's segment that begins there
@@ -22,7 +22,7 @@ struct ViaJoint {
   Vec3 velocity;
 };
 
-/// The vias' joints of a way, in its order, increasing in polyhedra. The list must outlive it.
+/// The via joints of a way in flight order. The list must outlive this object.
 struct ViaJoints {
   const ViaJoint* list = nullptr;
   int count = 0;
@@ -35,7 +35,7 @@ struct Chain {
   int polyhedron[kMaxSegments];   ///< never decreasing
   double duration[kMaxSegments];  ///< seconds, >= kMinDuration
   double length[kMaxSegments];    ///< metres of the way that each segment covers
-  JointState start;               ///< jerk zero
+  JointState start;
   JointState goal;
   int via_joint_count;
   ViaJoint via_joints[kMaxVias];
@@ -57,7 +57,7 @@ inline bool gives(const ViaJoint& via_joint, int k) noexcept {
   return via_joint.stop || (k == 1 && via_joint.has_velocity);
 }
 
-/// The via's joint where the segment begins; null if there is none.
+/// The via joint at the beginning of the segment; null if there is none.
 inline const ViaJoint* via_joint_at(const Chain& chain, int segment) noexcept {
   for (int i = 0; i < chain.via_joint_count; ++i) {
     if (chain.via_joints[i].segment == segment) return &chain.via_joints[i];
@@ -65,7 +65,7 @@ inline const ViaJoint* via_joint_at(const Chain& chain, int segment) noexcept {
   return nullptr;
 }
 
-/// Finds the segment where each joint's polyhedron begins. False if one has no segment.
+/// Finds the first segment of each via joint's polyhedron. False if a polyhedron has no segment.
 inline bool place_via_joints(Chain& chain) noexcept {
   int segment = 0;
   for (int i = 0; i < chain.via_joint_count; ++i) {

@@ -25,7 +25,7 @@ Vec3 end_of(const Pace& pace, int piece) {
   return value(curve_of(pace.plan->segments[piece / kPacePieces]), u) + pace.offset;
 }
 
-/// The part of the line from `from` to `to` after which it is nearest to `place`, 0 .. 1.
+/// The parameter, 0 .. 1, of the point nearest to `place` on the line from `from` to `to`.
 double nearest_part(const Vec3& from, const Vec3& to, const Vec3& place) {
   const Vec3 along = to - from;
   const double square = dot(along, along);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pace of an earlier plan. If it leads nearly the same way as a chain, the times at which it passes the chain's
-// joints are good first durations: the optimiser then starts close to its solution (docs/times.md).
+// The pace of an earlier plan. If the plan leads nearly the same way as a chain, its times at the chain's joints give
+// good first durations. The optimiser then starts close to its solution (docs/times.md).
 #ifndef TERN_TIMES_PACE_HPP
 #define TERN_TIMES_PACE_HPP
 
@@ -13,7 +13,7 @@ namespace tern {
 
 /// The rest of a plan, from some instant on. The plan must outlive it.
 struct Pace {
-  const Trajectory* plan = nullptr;  ///< null: none; else at least one segment
+  const Trajectory* plan = nullptr;  ///< null: no pace; else a plan of at least one segment
   double from = 0.0;                 ///< seconds since the plan's beginning, >= 0
   Vec3 offset{0.0, 0.0, 0.0};        ///< from the plan's frame to the chain's, metres
 };
@@ -23,10 +23,10 @@ constexpr int kPacePieces = 8;
 /// The search for the nearest piece ends after this many pieces in a row that come no nearer.
 constexpr int kPaceLookahead = 24;
 
-/// How far along the plan the search has come.
+/// The progress of the search along the plan.
 struct PaceWalk {
   int piece;          ///< index of the piece, of all pieces of the plan
-  Vec3 begin;         ///< where the piece begins, in the chain's frame
+  Vec3 begin;         ///< beginning of the piece, in the chain's frame
   double begin_time;  ///< when the piece begins, seconds since the plan's beginning
   double time;        ///< when the plan passes the last place that was looked for, seconds since its beginning; never
                       ///< decreases

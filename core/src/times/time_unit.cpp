@@ -11,7 +11,7 @@ namespace {
 /// weights, the smoothest flight without a speed limit is faster at its peak. So as long as a higher speed limit makes
 /// the unit smaller, the limit binds, and the flight gains from raising it.
 constexpr double kWholeWay = 0.5;
-/// Stands for the length of a way that has none, metres.
+/// Stands for the length of a way of length 0, metres.
 constexpr double kLeastWay = 1e-3;
 
 /// Sums over the legs of a way.

@@ -13,10 +13,9 @@
 
 namespace tern {
 
-/// The acceleration limit along the way, and the speed that the flight can reach: the speed limit along the way, or the
-/// speed that there is room for if that is less. There is room for half the peak of the triangular profile along the
-/// whole way. And there is room for the whole peak of that profile along a leg of mean length; the lower one counts. A
-/// moving end counts as the way that it takes to stop. Both > 0.
+/// The acceleration limit along the way, and the speed that the flight can reach; both > 0. The speed is the least of
+/// three: the speed limit along the way, half the peak of the triangular profile along the whole way, and the peak of
+/// that profile along a leg of mean length. A moving end adds the way that it takes to stop.
 LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;
 
 /// The length of a mean leg divided by the way that it takes to reach the speed of reachable() and to stop again, > 0.

@@ -19,7 +19,7 @@ constexpr double kFlightSplit = kMaxSplit;
 /// Further segments for each via that the flight passes without a stop.
 constexpr double kViaSplit = 2.0;
 /// The least number of segments of a polyhedron around a moving end. There are fewer if each would take less than
-/// kEndPiece seconds at the end's speed: such segments cannot get shorter, and the flight would have to brake to stay
+/// kEndPiece seconds at the end's speed. Such segments cannot get shorter, and the flight would have to brake to stay
 /// in them.
 constexpr int kEndSplit = 3;
 constexpr double kEndPiece = 0.15;
@@ -140,7 +140,7 @@ double slowing_at(const TimesStage& stage, const Chain& chain, int i) {
   return chain.polyhedron[i] != chain.polyhedron[i - 1] ? stage.slowing[chain.polyhedron[i]] : 0.0;
 }
 
-/// Part of the speed that is lost where the way turns: 0 if it goes straight on, 1 if it goes back.
+/// Part of the speed that is lost at a turn of the way: 0 if the way goes straight on, 1 if it goes back.
 double turn_at(const Corridor& corridor, int index) {
   const Vec3 before = corridor.polyhedra[index - 1].to - corridor.polyhedra[index - 1].from;
   const Vec3 after = corridor.polyhedra[index].to - corridor.polyhedra[index].from;

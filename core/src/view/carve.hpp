@@ -14,16 +14,17 @@ namespace tern {
 /// Rows and planes of a brick. Along x, a brick is one word long.
 constexpr std::int32_t kBrick = 8;
 
-/// Of choosing among eight cubes: their words, and unless they are voxels, a look at the pyramid for each; in the view
-/// of a scan, a wider one.
+/// Operations of choosing among eight cubes: their words and, unless they are voxels, a look at the pyramid for each.
+/// In the view of a scan, the look is wider.
 constexpr Operations choose_operations(std::int32_t size, bool around) noexcept {
   return 8 * (4 * ops::kWord + (size > 1 ? 3 * ops::kDot + (around ? 2 * ops::kDot : 0) : 0));
 }
-/// Of deciding eight cubes: their outlines and the pixels that cover them; in the view of a scan, more of both.
+/// Operations of deciding eight cubes: their outlines and the pixels that cover them. The view of a scan has more of
+/// both.
 constexpr Operations decide_operations(bool around) noexcept {
   return 8 * (around ? 15 : 5) * ops::kDot;
 }
-/// The most of a whole brick: cubes of 8, 4 and 2 voxels, and all voxels.
+/// The most operations of a whole brick: cubes of 8, 4 and 2 voxels, and all voxels.
 constexpr Operations carve_operations(bool around) noexcept {
   constexpr Operations kCubes = 1 + 8 + 64;
   return kCubes * (choose_operations(2, around) + decide_operations(around)) +
@@ -47,8 +48,7 @@ struct CarvePart {
 
 /// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
 /// the brick's lowest voxel. Begins with cubes of 8 x 8 x 8 voxels and divides only those that cannot be decided as a
-/// whole. `left` becomes the cubes that another call must divide. A piece of
-/// work.
+/// whole. `left` becomes the cubes that another call must divide. One call is a piece of work.
 void carve(const View& view, const Projector& projector, const Voxel& first, const BrickWords& wanted, BrickWords& free,
            const CarvePart& part, CubeBits& left, Work& work) noexcept;
 

@@ -54,7 +54,7 @@ class DepthPyramid {
     const std::int32_t level = 32 - __builtin_clz(static_cast<unsigned>(span - 1) / 2);
     return level < levels_ ? level : levels_;
   }
-  /// A lower bound of the depths in the rectangle, and an upper bound.
+  /// A lower bound of the depths in the rectangle; most() is an upper bound.
   Depth least(const PixelBox& box, std::int32_t level) const noexcept {
     return reduce(least_[level], box, level, [](Depth a, Depth b) { return b < a ? b : a; });
   }

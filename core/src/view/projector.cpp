@@ -13,7 +13,7 @@ constexpr double kRounding = 1.0 / 1048576.0;
 constexpr float kNearest = 1e-3f;
 /// More than the depth of any pixel.
 constexpr float kMostUnits = static_cast<float>(kDepthUnits + 1);
-/// Of a scan's view: half its width, its bend, and the sine of the largest angle by which an outline is widened, seen
+/// A scan's view: half its width, its bend, and the sine of the largest angle by which an outline is widened, seen
 /// along z.
 constexpr float kWidest = static_cast<float>(kFaceTangent);
 constexpr float kBend = static_cast<float>(kFaceBend);

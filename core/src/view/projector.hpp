@@ -32,15 +32,15 @@ struct PixelBoxes {
   PixelBox at(int k) const noexcept { return {u0[k / 4][k % 4], u1[k / 4][k % 4], v0[k / 4][k % 4], v1[k / 4][k % 4]}; }
 };
 
-/// Where eight cubes lie in an image.
+/// The pixels and depths of eight cubes.
 struct Footprints {
   PixelBoxes pixels;   ///< all pixels that cover the cube; valid if it is inside
   FourInts far[2];     ///< its largest depth, in units, rounded up
   FourInts inside[2];  ///< not 0 if all of it is in front of the camera and in the image
 };
 
-/// Where the centres of the voxels of eight cubes lie in an image. A voxel is seen whole only if the pixel of its
-/// centre shows a depth behind it.
+/// The pixels and depths of the centres of all voxels in each of eight cubes. A voxel is seen whole only if the pixel
+/// of its centre shows a depth behind it.
 struct Cores {
   PixelBoxes pixels;   ///< pixels that show a centre; valid if the cube is ahead
   FourInts far[2];     ///< the least of the voxels' largest depths, in units, rounded down
@@ -56,7 +56,7 @@ class Projector {
   /// `extent` is an upper bound of all coordinates, in metres: the size of the window plus its distance.
   Projector(const View& view, double extent) noexcept;
 
-  /// Where cubes of `size` voxels with these centres lie in the image, and where the centres of their voxels lie.
+  /// Projects eight cubes of `size` voxels with these centres. cores() projects the centres of their voxels.
   Footprints footprints(const Centers& centers, float size) const noexcept;
   Cores cores(const Centers& centers, float size) const noexcept;
   /// The centres of the eight cubes of `size` voxels that make up a larger cube with this centre, x fastest.
