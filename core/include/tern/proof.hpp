@@ -172,7 +172,7 @@ class Proof {
   int worst_axis_ = -1;
   Piece stack_[kProofDepth + 1] = {};
   Work* work_ = nullptr;  // the current slice
-  Work slice_;            // what step() was given; a debt between two calls
+  Work slice_;            // the work given to step(); a debt between two calls
   int64_t spent_ = 0;     // operations of all pieces so far
   ProofReport report_{};
 };

@@ -139,7 +139,7 @@ class YawPlanner {
   void take_point(Work& work) noexcept;
 
   Phase phase_ = Phase::kIdle;
-  Work slice_;  // what step() was given; a debt between two calls
+  Work slice_;  // the work given to step(); a debt between two calls
   const Trajectory* trajectory_ = nullptr;
   YawRequest request_;
   YawPlan plan_;

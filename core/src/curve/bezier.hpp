@@ -55,9 +55,9 @@ void keep_last_part(double u, Point* points) {
 
 /// A tight upper bound of the curve's gauge (see base/bounds.hpp) over [0, 1]. It is at least the supremum, and at most
 /// the larger of `floor` and (1 + tolerance) * supremum. Values below a positive `floor` are not resolved: with
-/// tolerance 0 the bound is exactly `floor` if the curve stays below it. Halves pieces until the hulls of all are close
-/// enough: at most kPeakDepth times, each of which makes a hull's excess four times smaller, and at most kPeakPieces
-/// pieces. If that does not suffice, the hulls of the remaining pieces count, which keeps the result a bound.
+/// tolerance 0 the bound is exactly `floor` if the curve stays below it. Halves pieces until all hulls are close
+/// enough. Each halving makes a hull's excess four times smaller. There are at most kPeakDepth halvings of a piece, and
+/// kPeakPieces pieces. If these do not suffice, the hulls of the remaining pieces count, so the result stays a bound.
 double peak_bound(const Curve& curve, const Bounds& bounds, double floor, double tolerance) noexcept;
 constexpr int kPeakDepth = 16;
 constexpr int kPeakPieces = 1024;

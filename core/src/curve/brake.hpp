@@ -16,7 +16,7 @@ namespace tern {
 
 /// Lengths of ramps that are tried. The first is as long as full deceleration takes; each further one is kBrakeSharper
 /// times the one before, but at least kMinDuration. The gentlest braking needs twice the least way to stop. The
-/// sharpest needs 1 % more than the least way, or what ramps of kMinDuration need.
+/// sharpest needs 1 % more than the least way, or the way of ramps of kMinDuration.
 constexpr int kBrakeShapes = 8;
 constexpr double kBrakeSharper = 0.5;
 /// The ramp that surely keeps the limits on jerk is shortened by this factor from shape to shape.

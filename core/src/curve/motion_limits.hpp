@@ -17,8 +17,8 @@ namespace tern {
 constexpr double kLimitTolerance = 1e-9;
 constexpr double kInsideTolerance = 1e-9;
 
-/// Accepted excess over a limit on jerk, relative; the rounding of jerk is larger. Plans leave kJerkMargin of the limit
-/// free, so that the jerk that they evaluate to keeps the limit.
+/// Accepted excess over a limit on jerk, relative. It is larger, because the rounding of jerk is. Plans leave
+/// kJerkMargin of the limit free, so that the jerk that they evaluate to keeps the limit.
 constexpr double kJerkTolerance = 2e-8;
 constexpr double kJerkMargin = 1e-6;
 

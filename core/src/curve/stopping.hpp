@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Manoeuvres that bring a moving state to rest, in closed form: straight ahead (brake.hpp), each axis on its own
-// (axis_brake.hpp), after a turn, or with a swerve to a side. Whether there is room for one is the caller's question.
+// (axis_brake.hpp), after a turn, or with a swerve to a side. The caller has to check whether there is room.
 #ifndef TERN_CURVE_STOPPING_HPP
 #define TERN_CURVE_STOPPING_HPP
 
@@ -58,7 +58,7 @@ struct Stopping {
 
 /// Makes the stop of `choice`, 0 .. kStoppingChoices - 1. False if it breaks the limits by more than kStopTolerance.
 bool make_stopping(const State& state, const MotionLimits& limits, int choice, Stopping& out) noexcept;
-/// Each segment with its three derivatives against the limits, in three ways to level off.
+/// Operations of a stop: each segment with its three derivatives against the limits, in three ways to level off.
 constexpr Operations kStopOperations = 3 * 4 * ops::kCurve * kStoppingSegments;
 
 /// Turns the stop into the same motion flown backwards in time.

@@ -21,8 +21,8 @@ struct Aim : Destination {
   std::int32_t asked_point[kMaxVias];
   std::int32_t asked_count;
   Vec3 target_place;  ///< world frame
-  bool moved;         ///< the nearest free point to the place replaced it
-  bool at_reachable;  ///< no way led to the place, and the reachable point nearest to it replaced it
+  bool moved;         ///< the place was replaced by the nearest free point
+  bool at_reachable;  ///< the place was replaced by the nearest reachable point, because no way led to it
 
   void begin(const JointState& from, std::uint32_t mission_number) noexcept;
   /// A new mission begins, with its first point here.
@@ -33,10 +33,10 @@ struct Aim : Destination {
   void follow_points(const Commitment& in_flight, const Itinerary& itinerary, std::int64_t takeover) noexcept;
   /// Leads to the same place as the plan in flight.
   void follow_place(const Commitment& in_flight) noexcept;
-  /// Leads to the target, or to the point on the straight line to it from the last point to pass that is at most `most`
-  /// away and within the window.
+  /// Leads to the target if that is at most `most` away and within the window. Otherwise leads along the straight line
+  /// from the last point to pass, as far as both allow.
   void choose_place(const FlightFacts& flight, double most) noexcept;
-  /// Leads straight away from what is within the radius of the start, and one radius far.
+  /// Leads one radius straight away from the obstacles within the radius of the start.
   void choose_way_out(const FlightFacts& flight) noexcept;
   void lead_to(const Vec3& elsewhere) noexcept;
   /// Passes only the first `number` of the points that are asked for; the one after them becomes the target. `cell`:
@@ -49,13 +49,13 @@ struct Aim : Destination {
   void ask_for_less(const Report& found, const Itinerary& itinerary) noexcept;
   /// The mission is over: no plan passes its points, or ends at its target.
   void forget_points() noexcept;
-  /// Puts the place onto the way, one horizon along it, if the way past the points is longer than that.
+  /// If the way past the points is longer than a horizon, moves the place to the point one horizon along it.
   void shorten(const Path& way, const GridSpec& window, double horizon, const Itinerary& itinerary) noexcept;
-  /// If the place is in an obstacle, it moves to the nearest free point, once. False if that is not so.
+  /// If the place is in an obstacle, moves it to the nearest free point, once. False if the place stays.
   bool move_to_free(const Report& found) noexcept;
-  /// After move_to_free(): ends beside the target, if the place was the target. If the plan that is followed ends
-  /// beside the same target, and is further from it by `slack` at most, the new plan ends there, too. Null: none is
-  /// followed.
+  /// After move_to_free(): notes that the plan ends beside the target, if the place was the target. If the plan
+  /// `followed` ends beside the same target, further from it by `slack` at most, the new plan ends there, too. Null:
+  /// none is followed.
   void end_beside(const Commitment* followed, double slack) noexcept;
   void move_to_reachable(const Vec3& reachable) noexcept;
   /// Leads to the point one horizon along the straight line, because there is no path.
@@ -67,8 +67,8 @@ struct Aim : Destination {
   const Vec3& place_before_target() const noexcept {
     return asked_count > 0 ? asked[asked_count - 1].position : start.d[0];
   }
-  /// A new mission began since the plan was. It may be flown, but counts as passing none of the new points; if it
-  /// fails, that says nothing about them.
+  /// True if a new mission began after the plan. The plan may be flown, but passes none of the new points. Its failure
+  /// says nothing about them.
   bool is_outdated(const Itinerary& itinerary) const noexcept { return mission != itinerary.number; }
   /// The point at which a plan failed, if it may be left out; otherwise negative.
   std::int32_t point_at_fault(const Report& found, const Itinerary& itinerary) const noexcept;

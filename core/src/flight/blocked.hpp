@@ -47,7 +47,8 @@ struct Blockage {
 
 constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
 
-/// A voxel that is solid in the safe grid: something was seen or marked in it, or nothing is known of it.
+/// The blockage by a voxel that is solid in the safe grid: kObstacle if something was seen or marked in it, else
+/// kUnseen.
 Blockage block_at(const RollingMap& map, const Voxel& voxel) noexcept;
 
 }  // namespace tern

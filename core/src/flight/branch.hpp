@@ -40,11 +40,11 @@ constexpr double kSliver = 1e-3;
 /// sliver.
 double off_joints(const Trajectory& plan, double t) noexcept;
 
-/// `out` becomes the part of the plan before `t`, bit for bit but for its last segment. `t` > 0.
+/// `out` becomes the part of the plan before `t` > 0. All its segments but the last have the bits of the plan's.
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept;
 
-/// Appends a segment that takes the jerk to zero, then a brake straight ahead. To lose the jerk first makes the sharper
-/// stop. `way` is 0 .. kStops - 1, the sharpest first. False if there is no room, or if the limits do not hold.
+/// Appends a segment that takes the jerk to zero, then a brake straight ahead. The stop is sharper if the jerk is zero
+/// first. `way` is 0 .. kStops - 1, the sharpest first. False if there is no room, or if the limits do not hold.
 /// `scratch` is the caller's because it is large for the stack.
 constexpr int kStops = kBrakeShapes;
 bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,
@@ -57,10 +57,10 @@ constexpr int kStraight = 1 + kStops;
 constexpr int kEvasions = kStraight + kSlowDowns;
 
 /// Appends a brake that takes the jerk to zero, ramps to a steady deceleration, holds it, and ramps back to zero. Its
-/// ramps are the shortest ones that the limits on jerk allow, kMinDuration at least. Of the times in which the jerk
-/// goes to zero (kSettleTime, halved up to kSettleHalvings times), it takes the one with the shortest way to rest. The
-/// brake never takes the acceleration to zero before the ramp: at its speed limit, a vehicle whose speed still rises
-/// must not wait.
+/// ramps are the shortest ones that the limits on jerk allow, kMinDuration at least. For the jerk to go to zero, it
+/// tries kSettleTime, halved up to kSettleHalvings times, and takes the time with the shortest way to rest. The brake
+/// never takes the acceleration to zero before the ramp: at its speed limit, a vehicle whose speed still rises must not
+/// wait.
 ///
 /// False if there is no room, or if no such brake keeps the limits.
 bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;
@@ -70,9 +70,9 @@ bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Traje
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept;
 
 /// Appends the plan's path from `from` on, flown ever slower until it rests after `time` > 0: if the path is clear, so
-/// is the brake. It begins in the plan's state, from position to jerk, and ends half of that time further along the
-/// plan, or at its end. Every joint lies on the path; in between, the error is below kProofTolerance for common limits.
-/// The caller has to check the limits. False if there is no room (kMaxSegments).
+/// is the brake. It begins in the plan's state, from position to jerk, and ends half of `time` further along the plan,
+/// or at its end. Every joint lies on the path; in between, the error is below kProofTolerance for common limits. The
+/// caller has to check the limits. False if there is no room (kMaxSegments).
 bool append_slow_down(const Trajectory& plan, double from, double time, Trajectory& out) noexcept;
 
 }  // namespace tern

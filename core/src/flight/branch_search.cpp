@@ -8,7 +8,7 @@ namespace tern {
 namespace {
 
 /// Branches must be later than this, in seconds since the draft's beginning. In an extension, a branch no later than
-/// the committed one would change nothing. A new plan must lead somewhere before its branch.
+/// the committed one would change nothing. A new plan must fly for two ticks before its branch.
 double earliest_branch(const FlightFacts& flight, const Draft& draft) {
   return draft.extends ? flight.plans.in_flight.branch : 2.0 * 1e-9 * static_cast<double>(flight.spec.tick);
 }
@@ -42,7 +42,7 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
   return Progress::kFailed;
 }
 
-/// The candidates go back from the last proven instant, and each instant has all brakes.
+/// The candidates begin at the last proven instant and go back in time. All brakes are tried at each instant.
 bool BranchSearch::make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft) const noexcept {
   const double earliest = earliest_branch(flight, draft);
   const int from_last = candidate / kBranchShapes;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds a proven brake that leaves a draft at the last instant until which it is proven, or earlier.
+// Finds a proven brake that leaves a draft at the end of its proof, or earlier.
 #ifndef TERN_FLIGHT_BRANCH_SEARCH_HPP
 #define TERN_FLIGHT_BRANCH_SEARCH_HPP
 
@@ -13,15 +13,15 @@
 
 namespace tern {
 
-/// How many instants of a plan a brake is tried from, and how many brakes from each, the sharpest first. Sharp brakes
-/// need the least room, but the sharpest may break the limits on jerk.
+/// Instants of a plan at which brakes are tried, and the brakes at each instant, the sharpest first. Sharp brakes need
+/// the least room, but the sharpest may break the limits on jerk.
 constexpr int kBranches = 16;
 constexpr int kBranchShapes = kStops;
 
 struct BranchSearch {
   double reached;   ///< until when the draft is proven, in seconds since its beginning
   int candidate;    ///< the number of the branch that was made last
-  bool is_proving;  ///< it is being proven
+  bool is_proving;  ///< that branch is being proven
 
   void begin(double until) noexcept;
   /// kDone: the draft branches off, and its brake is proven. kFailed: no candidate is left. May be called again after

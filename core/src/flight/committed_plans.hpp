@@ -27,17 +27,17 @@ constexpr double kNever = 1e9;
 /// Where a plan leads, and for which mission.
 struct Destination {
   Vec3 place;             ///< where the plan ends, world frame
-  bool at_target;         ///< that is the target
-  bool beside_target;     ///< that is the nearest free point to the target
+  bool at_target;         ///< the plan ends at the target
+  bool beside_target;     ///< the plan ends at the nearest free point to the target
   std::uint32_t mission;  ///< number of the mission that the plan is made for
   std::int32_t target;    ///< the mission's point that the plan ends at, or leads to
 };
 
 /// A committed plan, or a draft of one.
 struct Commitment : Destination {
-  Trajectory trajectory;               ///< what the vehicle follows: it ends at rest, and is proven
+  Trajectory trajectory;               ///< the curve that the vehicle follows, proven, up to rest
   Trajectory planned;                  ///< the planner's plan, which `trajectory` follows up to the branch
-  double branch;                       ///< seconds since the beginning: until then, both are the same
+  double branch;                       ///< up to this time, both are the same; seconds since the beginning
   Passage passage[kMaxMissionPoints];  ///< when `planned` passes its points, in order
   std::int32_t passages;
   bool evades;     ///< a brake that was made for a threat, proven or not
@@ -46,9 +46,9 @@ struct Commitment : Destination {
   bool looks_out;  ///< it leads to a place from where `hidden` may be seen
   Vec3 hidden;     ///< world frame
 
-  /// When it takes over: the request for the planner's plan said so. Nanoseconds, as all times of a flight.
+  /// The takeover, which the planner's request fixed. Nanoseconds since the flight's start, as all times of a flight.
   std::int64_t begin() const noexcept { return planned.begin; }
-  /// The time on it, seconds since its beginning.
+  /// The time on the plan, seconds since its beginning.
   double time_at(std::int64_t t) const noexcept { return time_on(planned, t); }
   /// Where the vehicle rests after `trajectory`, world frame.
   Vec3 end() const noexcept;
@@ -59,7 +59,7 @@ struct Commitment : Destination {
 /// The first instant at which a committed plan is not proven.
 struct Contact {
   std::int64_t time;  ///< nanoseconds
-  double speed;       ///< m/s, there
+  double speed;       ///< m/s, at that time
 };
 
 /// Seconds from `begin` to `t`.
@@ -73,7 +73,7 @@ inline std::int64_t nanoseconds(double seconds) noexcept {
   return exact < static_cast<double>(kFarthest) ? static_cast<std::int64_t>(exact) : kFarthest;
 }
 
-/// What every proof of a commitment rests on. It points into the commitment.
+/// The grounds of every proof of a commitment. They point into the commitment.
 ProofGrounds grounds_of(const FlightSpec& spec, const Commitment& commitment) noexcept;
 
 struct CommittedPlans {

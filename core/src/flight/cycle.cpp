@@ -13,9 +13,9 @@ namespace {
 constexpr double kEarlier = 1e-6;
 /// A new aim is chosen when less than this part of the horizon is left.
 constexpr double kLeastWay = 0.6;
-/// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels nearby are solid. In the
-/// second, they are, except next to the vehicle, where they may leave it no voxel to begin at. In the third, they are
-/// free. Every kFruitlessAttempt new plans that come no nearer to the goal also bring on the next kind.
+/// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels near the vehicle are solid.
+/// In the second, those right beside it are free, so that it has a voxel to begin at. In the third, all are free. After
+/// kFruitlessAttempt new plans that come no nearer to the goal, the next kind follows, too.
 constexpr int kAttempts = 3;
 constexpr int kFruitlessAttempt = 6;
 constexpr double kHoleVoxels = 2.0;
@@ -71,7 +71,7 @@ Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// The remainder is a candidate if the takeover comes before the branch.
+/// The remainder is a candidate if it fits the mission, and the takeover comes before the branch.
 Progress Cycle::begin_remainder(const FlightFacts& flight, Draft& draft) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(draft.takeover);

@@ -27,32 +27,32 @@ enum class Job : std::uint8_t {
   kIdle,
   kLookout,    ///< seeks a place from where the sensor may see what blocks the way
   kCopy,       ///< copies the route grid
-  kFollow,     ///< looks whether the remainder of the planner's plan in flight is a candidate
+  kFollow,     ///< checks whether the remainder of the planner's plan in flight is a candidate
   kRemainder,  ///< proves that remainder free on the copy
   kAim,        ///< chooses where the plan leads
   kAskRoute,   ///< asks the planner for a route to the aim
-  kRoute,      ///< finds it; the plan follows its first part
+  kRoute,      ///< finds the route; the plan then follows its first part
   kAskPlan,    ///< asks the planner for a plan to the aim
-  kPlan,       ///< finds it
+  kPlan,       ///< finds the plan
   kWait,       ///< waits until the window has slid
   kProve,      ///< finds until when the draft is proven
   kBranch,     ///< finds a proven brake that leaves the draft there or earlier
   kConfirm,    ///< proves the draft with its brake as a whole
 };
 
-/// What follows a plan that the planner did not find.
+/// The next question to the planner after it found no plan.
 enum class NextPlan : std::uint8_t {
-  kAsked,    ///< another one, which the planner is asked for next
+  kAsked,    ///< the planner is asked for another plan next
   kNone,     ///< there is nothing else to ask for
-  kNearest,  ///< nor is there: something was seen at the target, and the vehicle is as near to it as it gets
-  kCutOff,   ///< nor is there: no way leads to the target, and the vehicle rests as near to it as one leads
+  kNearest,  ///< nothing: something was seen at the target, and the vehicle is as near to it as it gets
+  kCutOff,   ///< nothing: no way leads to the target, and the vehicle rests as near to it as a way leads
 };
 
 /// How long before its takeover a plan begins.
 struct Lead {
-  int late;  ///< plans that were dropped, one after the other
+  int late;  ///< plans in a row that were dropped because they were late
 
-  /// Doubles for each of them.
+  /// Ticks before the takeover. Each late plan doubles them, up to kMostDoublings times.
   std::int64_t ticks(const FlightSpec& spec) const noexcept;
   void note_late() noexcept { ++late; }
   /// A plan for this takeover is done: if half of its lead would have been enough, the next one gets half.
@@ -96,21 +96,22 @@ struct Cycle {
   /// No route, or no plan, was found: changes the aim, and asks for another one, if there is anything else to ask for.
   NextPlan next_after_route(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;
   NextPlan next_after_plan(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;
-  /// Lists when the planner's trajectory passes the points of the mission, unless there is a new one.
+  /// Lists when the planner's trajectory passes the points of the mission, unless there is a new mission.
   void list_passages(const FlightFacts& flight, const Report& found, Draft& draft) noexcept;
-  /// Makes the draft: the planner's trajectory, or the remainder of the planner's plan in flight, which wins unless the
-  /// new plan leads elsewhere or arrives earlier. False if there is neither. `hidden`: see Commitment.
+  /// Makes the draft: the planner's trajectory, or the remainder of the planner's plan in flight. The remainder wins
+  /// unless the new plan leads elsewhere or arrives earlier, and does not pass the next point much later. False if
+  /// there is neither. `hidden`: see Commitment.
   bool choose_draft(const FlightFacts& flight, bool planned, const Vec3& hidden, Draft& draft) noexcept;
   /// Waits for the end of a slide, then begins to prove the draft. From here on the map stands still. kFailed if the
   /// draft cannot be proven.
   Progress begin_proof(const FlightFacts& flight, Draft& draft) noexcept;
-  /// The draft is proven until then, in seconds since its beginning: looks for a branch there or earlier.
+  /// Looks for a branch at `until` or earlier: the draft is proven until then, in seconds since its beginning.
   void begin_branch(double until) noexcept;
   /// Finds a proven branch, then begins to prove the draft as a whole. kFailed if there is no branch.
   Progress find_branch(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
   /// The draft is not proven as a whole: the next candidate follows.
   void reject_branch() noexcept { job = Job::kBranch; }
-  /// Proves the draft anew on the map as it is, if it is being proven: boxes were marked meanwhile.
+  /// Boxes were marked. If the draft is being proven, its proof begins anew on the map as it is now.
   void prove_anew() noexcept;
 
   /// A copy or a proof reads the map, which must not change meanwhile.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a cycle asks of the planner: a plan to its aim, or a route; and what else after a failure.
+// A cycle's questions to the planner: a plan to its aim or a route, and another one after a failure.
 #include "base/math.hpp"
 #include "flight/cycle.hpp"
 #include "grid/distance.hpp"
@@ -11,10 +11,10 @@ namespace {
 
 /// The part of a plan's units that the optimiser may spend: if it needs more, it answers with the best plan so far.
 constexpr std::uint32_t kOptimiserPart = 2;
-/// Of a plan or a route besides the planner: choosing an aim and a draft, and copies of trajectories.
+/// Operations of a plan or a route without the planner's: choosing an aim and a draft, and copies of trajectories.
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
-/// From the start to the aim, at rest, through the points that are asked for.
+/// A request from the start to the aim, at rest, through the points that are asked for.
 Request request_to(const Aim& aim, const FlightSpec& spec) {
   Request request{};
   request.start.position = aim.start.d[0];
@@ -27,8 +27,8 @@ Request request_to(const Aim& aim, const FlightSpec& spec) {
   return request;
 }
 
-/// True if the vehicle will rest, and the nearest free point to an aim in an obstacle, which is the aim now, is no
-/// nearer to the target than its own place.
+/// True if the vehicle will rest, and a plan would bring it no nearer to the target. The aim was in an obstacle, and is
+/// now the nearest free point to it.
 bool gets_no_nearer(const FlightFacts& flight, const Aim& aim, std::int64_t takeover) {
   const double slack = kAimVoxels * flight.map.route().spec().cell;
   return flight.rests_at(takeover) &&
@@ -100,7 +100,7 @@ bool Cycle::moves_to_reachable(const FlightFacts& flight, const Report& found, s
   return true;
 }
 
-/// A plan past points is asked for less only if the plan in flight does not go on anyway.
+/// A plan past fewer points is asked for only if the plan in flight does not go on anyway.
 NextPlan Cycle::ask_for_less(const FlightFacts& flight, const Report& found) noexcept {
   if (remainder_is_free) return NextPlan::kNone;
   aim.ask_for_less(found, flight.itinerary);

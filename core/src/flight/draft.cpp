@@ -9,7 +9,7 @@
 namespace tern {
 namespace {
 
-/// Of a brake along the committed plan: three curves for each piece.
+/// Operations of a brake along the committed plan: three curves for each piece.
 constexpr Operations kSlowDownOperations = 3 * ops::kCurve * kMaxSegments;
 /// How much later than the plan in flight a new plan may pass the next point, seconds.
 constexpr double kLaterAtPoint = 0.25;
@@ -76,7 +76,7 @@ bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work
   return true;
 }
 
-/// Straight ahead, or along the committed plan.
+/// Appends a brake straight ahead, or along the committed plan.
 bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed, int number) noexcept {
   const double from = committed.time_at(takeover);
   const JointState at = joint_at(committed.trajectory, from, plan.trajectory.origin);

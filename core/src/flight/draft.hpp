@@ -22,13 +22,13 @@ constexpr int kMostDoublings = 3;
 struct Draft {
   Commitment plan;
   bool extends;             ///< `plan` goes on along the planner's plan in flight
-  std::int64_t takeover;    ///< when the vehicle follows it
+  std::int64_t takeover;    ///< when the vehicle begins to follow the draft
   std::int64_t deadline;    ///< the last tick that may commit it
-  Proof proof;              ///< of the draft, or of what it is made from
+  Proof proof;              ///< of the draft, or of the plan that it is made from
   std::uint64_t proven_on;  ///< the safe grid's revision when that proof began
   Stopping stop;            ///< the brake that was made last
 
-  /// The next commit takes over so many ticks ahead.
+  /// The next commit takes over this number of ticks ahead.
   void begin(const FlightFacts& flight, std::int64_t ticks) noexcept;
   /// Counts as no extension from now on.
   void clear() noexcept { extends = false; }

@@ -14,7 +14,7 @@ bool is_better(const JudgedBrake& a, const JudgedBrake& b) {
   return a.speed < b.speed || (!(a.speed > b.speed) && a.until > b.until);
 }
 
-/// Something in the way ended the proof, not the brake itself.
+/// True if something in the way ended the proof, and not a limit.
 bool is_contact(Finding end) {
   return end == Finding::kObstacle || end == Finding::kOutside || end == Finding::kFence;
 }
@@ -66,8 +66,8 @@ EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Watch& watch,
   return try_next(flight, watch, draft, work);
 }
 
-/// The sharpest brake straight ahead comes first: hardly any other meets what is in the way more slowly. Once a brake
-/// is judged, those along the path follow, which may be clear; the gentler ones straight ahead come last.
+/// The sharpest brake straight ahead comes first: hardly any other is slower at its contact. Once a brake is judged,
+/// those along the path follow, because they may be clear. The gentler ones straight ahead come last.
 int Evasion::number_of_next() noexcept {
   const bool none_is_judged = best.number < 0;
   if (straight < kStraight && (none_is_judged || along == kSlowDowns)) return straight++;
@@ -125,9 +125,9 @@ bool Evasion::go_on_proving(const FlightFacts& flight, const Watch& watch, Draft
   return false;
 }
 
-/// If the committed plan touches at most the alarm, the brake must touch no more either; until this is proven, the plan
-/// counts as if it did. The brake's contact must be slower than the plan's, unless only the brake touches at most the
-/// alarm. It need not be slower either if the plan has its contact before the brake begins and is no brake itself.
+/// If the committed plan touches nothing but the alarm, or this proof of it is still at work, the brake must touch
+/// nothing else either. The brake's contact must be slower than the plan's, with two exceptions: only the brake touches
+/// nothing but the alarm, or the plan is no brake and has its contact before the brake begins.
 bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& watch, std::int64_t takeover) noexcept {
   const bool is_kept = watch.known || (watch.is_running && watch.part == Watched::kAlarm);
   if (brake.number < 0 || (is_kept && !brake.known)) return false;
@@ -135,7 +135,7 @@ bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& wat
   return is_too_late || brake.speed < watch.contact.speed || (brake.known && !is_kept);
 }
 
-/// A threat remains. A stop is tried again once the waiting plan has taken over. If there was no time to judge any
+/// The threat remains. A stop is tried again once the waiting plan has taken over. If there was no time to judge any
 /// brake, or to find one for a stop, the next evasion gets more time.
 bool Evasion::end(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept {
   const bool is_late = number < kEvasions && (best.number < 0 || !watch.threat);
@@ -156,7 +156,7 @@ void Evasion::miss(bool has_goal) noexcept {
   if (missed < 2 * kMostDoublings) ++missed;
 }
 
-/// That is the time before a brake begins, and twice the time that the sharpest brake takes.
+/// A brake needs the ticks before it begins, and twice the time of the sharpest brake.
 bool Evasion::leaves_time(const FlightFacts& flight, const Watch& watch, std::int64_t takeover) const noexcept {
   if (takeover >= watch.contact.time) return false;
   const Vec3& most = flight.spec.limits.a_max;

@@ -28,11 +28,11 @@ enum class BrakeProof : std::uint8_t {
   kAlarm,   ///< it is clear of everything but the alarm
 };
 
-/// What would happen on a brake that is not proven clear.
+/// A brake that is not proven clear, and its contact.
 struct JudgedBrake {
   int number;    ///< negative: none
   double until;  ///< seconds since its beginning: until then it is clear
-  double speed;  ///< m/s, there
+  double speed;  ///< m/s, at that time
   bool known;    ///< clear of everything but the alarm
 };
 
@@ -57,7 +57,7 @@ struct Evasion {
   int along;          ///< brakes along the committed plan that were tried
   JudgedBrake tried;  ///< the brake that is being judged
   JudgedBrake best;   ///< the best brake of those that were judged
-  BrakeProof proves;  ///< what the draft's proof shows of the brake that is being judged
+  BrakeProof proves;  ///< the property of `tried` that the draft's proof is about
 
   void ask_for_stop() noexcept { stop_asked = true; }
   void forget_stop() noexcept { stop_asked = false; }
@@ -73,8 +73,8 @@ struct Evasion {
   /// Ends an evasion that has proven no brake. True if the draft is a brake that is better than the committed plan all
   /// the same.
   bool end(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept;
-  /// The evasion was not done in time, for example because ticks were skipped. It is tried again, unless there is no
-  /// threat and a new goal.
+  /// The evasion was not done in time, for example because ticks were skipped. It is tried again, unless there is a new
+  /// goal and no threat.
   void miss(bool has_goal) noexcept;
   void leave() noexcept { is_running = false; }
 

@@ -27,7 +27,7 @@ Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) n
   return status;
 }
 
-/// The pending plan leads to the goal that is forgotten.
+/// Drops the pending plan, because it leads to the forgotten goal.
 Status Flight::stop() noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   state_->facts.itinerary.forget_goal();

@@ -63,8 +63,9 @@ std::int64_t FlightFacts::time_to_answer(std::int64_t t) const noexcept {
   return wanted < time ? time : wanted;
 }
 
-/// Space that leaves the window is forgotten, and may hold the only way to the goal. If it is wide enough, the window
-/// covers the horizon around the vehicle. It never cuts off the committed plan, with the radius around it.
+/// The window moves no further than it must: space that leaves it is forgotten, and may hold the only way to the goal.
+/// A window that is wide enough covers the horizon around the vehicle. No move cuts off the committed plan, with the
+/// radius around it.
 void FlightFacts::follow_vehicle() noexcept {
   const GridSpec& window = map.safe().spec();
   const Vec3 at = position();

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What every part of a flight reads: how to fly, the map, the time, the committed plans and the mission. Only the
-// functions that join the parts write it.
+// The facts that every part of a flight reads: how to fly, the map, the time, the committed plans and the mission. Only
+// the functions that join the parts write it.
 #ifndef TERN_FLIGHT_FLIGHT_FACTS_HPP
 #define TERN_FLIGHT_FLIGHT_FACTS_HPP
 
@@ -21,7 +21,7 @@ namespace tern {
 /// Voxels that an aim keeps from the window's faces, besides the radius. An aim must also be nearer to the goal by more
 /// than this to count as nearer.
 constexpr double kAimVoxels = 2.0;
-/// Metres: further than any window is wide.
+/// Stands for no limit on a distance, metres.
 constexpr double kAnywhere = 1e9;
 /// Points of a way that are nearer to each other than this count as the same, metres.
 constexpr double kSamePlace = 1e-6;
@@ -37,7 +37,7 @@ struct FlightFacts {
   CommittedPlans plans;
   Itinerary itinerary;
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
-  std::int64_t frame_time;  ///< when that number last grew
+  std::int64_t frame_time;  ///< of the tick at which `frames` last grew
 
   /// The vehicle hovers at `position`, and the clock shows `t`.
   void begin(const FlightSpec& how, const RollingMap& over, const Vec3& position, std::int64_t t) noexcept;
@@ -60,10 +60,10 @@ struct FlightFacts {
   bool hovers() const noexcept {
     return time >= plans.rest_begins() || !(duration(plans.in_flight.trajectory) > kMinDuration);
   }
-  /// The vehicle rests at this takeover, if no other plan takes over before. Two ticks more or less do not matter.
+  /// The vehicle rests at this takeover, or within two ticks of it, if no other plan takes over before.
   bool rests_at(std::int64_t takeover) const noexcept { return takeover + 2 * spec.tick >= plans.rest_begins(); }
   bool is_stale() const noexcept { return spec.stale_after > 0 && time - frame_time > spec.stale_after; }
-  /// A plan may end at this place: the radius and kAimVoxels from the window's faces.
+  /// A plan may end at this place: it keeps the radius and kAimVoxels from the window's faces.
   bool in_window(const Vec3& place) const noexcept;
 };
 

@@ -49,7 +49,7 @@ class FlightState {
   void end_evasion() noexcept;
   bool is_busy() const noexcept { return cycle.job != Job::kIdle || evasion.is_running; }
 
-  // report.cpp: what a tick says of the vehicle's surroundings, and reports
+  // report.cpp: the vehicle's surroundings, and the report of a tick
   double note_block_near_vehicle() noexcept;
   void finish_report(std::uint32_t spent) noexcept;
 

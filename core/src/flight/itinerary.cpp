@@ -11,11 +11,11 @@
 namespace tern {
 namespace {
 
-/// A vehicle that finds no plan counts as right before a goal in an obstacle within this many radii and some voxels.
+/// Within this many radii and some voxels of a goal in an obstacle, a vehicle without a plan counts as right before it.
 constexpr double kBeforeRadii = 2.0;
 
-/// kOk if nothing is wrong with the point. Tolerance, stop and dwell of the goal mean nothing. A velocity cannot be
-/// promised in unknown space.
+/// kOk, or the fault of a point. Tolerance, stop and dwell of the goal mean nothing. A velocity cannot be promised in
+/// unknown space.
 Status check_point(const Via& point, bool is_goal) {
   if (!finite(point.position)) return Status::kNonFiniteInput;
   if (point.has_velocity) return Status::kInvalidArgument;
@@ -70,7 +70,7 @@ void Itinerary::forget_goal() noexcept {
   reason = FlightReason::kNoGoal;
 }
 
-/// These are the points that the plan in flight says, and the next one if the vehicle is within its tolerance.
+/// A point is passed if the plan in flight says so, or if it is the next one and the vehicle is within its tolerance.
 bool Itinerary::pass_points(const FlightFacts& flight) noexcept {
   if (!has_goal) return false;
   const CommittedPlans& plans = flight.plans;

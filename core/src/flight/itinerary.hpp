@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mission: its points, how far it has come, and whether there is a point in going on. A goal alone is a mission of
-// one point.
+// A mission: its points, how far it has come, and whether the flight should go on. A goal alone is a mission of one
+// point.
 #ifndef TERN_FLIGHT_ITINERARY_HPP
 #define TERN_FLIGHT_ITINERARY_HPP
 
@@ -52,7 +52,7 @@ struct Itinerary {
   std::uint64_t learned;  ///< RollingMap::learned() when the vehicle last learned something
 
   void begin(const Via* mission_points, std::int32_t point_count, ViaPolicy mission_policy) noexcept;
-  /// Whatever made the vehicle give up is forgotten.
+  /// Forgets all reasons to give up.
   void try_anew() noexcept;
   void park(FlightReason why) noexcept;
   void forget_goal() noexcept;
@@ -62,7 +62,7 @@ struct Itinerary {
   void go_on_from(std::int32_t point) noexcept { leg = after(point); }
   /// The suspect may be clear on the map as it is now.
   void clear_suspicion(const FlightFacts& flight) noexcept;
-  /// A plan found the point blocked, by what `lasts` or may go away. True if that makes it unreachable.
+  /// A plan found the point blocked. `lasts`: the cause cannot go away. True if the point now counts as unreachable.
   bool suspect_point(std::int32_t point, bool lasts) noexcept;
   /// Leaves out a point as the mission's policy says. The mission ends only if the point is the next one.
   LeftOut leave_out(std::int32_t point, FlightReason why) noexcept;
@@ -87,12 +87,12 @@ struct Itinerary {
   bool is_blocked(const FlightFacts& flight, std::int32_t point) const noexcept;
   /// The next point is in an obstacle that was seen, and the vehicle is right before it.
   bool is_right_before(const FlightFacts& flight) const noexcept;
-  /// New plans lead nowhere: there is no point in going on.
+  /// New plans lead nowhere: the flight should give up.
   bool is_hopeless() const noexcept { return fruitless > kFruitless || wandering > kWandering; }
   std::int32_t count_points(PointState which) const noexcept;
 };
 
-/// What is wrong with a mission; kOk if nothing is.
+/// kOk, or the fault of a mission.
 Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;
 
 }  // namespace tern

@@ -26,7 +26,7 @@ constexpr double kSameWish = 0.1;
 /// A look around stays this much longer in each direction than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
 constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
-/// No plan was made for a wish after so many commits.
+/// NoseWish::commits of a wish that no yaw plan was made for.
 constexpr std::uint32_t kNoCommits = 0xFFFFFFFFu;
 
 Status check_headings(const FlightYaw& yaw) {

@@ -20,7 +20,7 @@ namespace tern {
 /// Ticks from the start of work on a yaw plan to its takeover, if ticks come in time.
 constexpr int kNoseTicks = 8;
 
-/// What a yaw plan is made for. When this changes, the flight makes another one.
+/// The wish that a yaw plan is made for. When it changes, the flight makes another yaw plan.
 struct NoseWish {
   FlightYawMode mode;
   Vec3 point;             ///< for kTowardsPoint
@@ -41,7 +41,7 @@ struct Nose {
   Heading headings[kMaxMissionPoints];
   bool is_planned;  ///< the flight plans yaws
   NoseTurn in_flight;
-  NoseTurn waiting;  ///< while a yaw plan is pending, when it will begin
+  NoseTurn waiting;  ///< while a yaw plan is pending, only `begin` is set
   bool has_waiting;
 
   // The pending yaw plan.
@@ -53,17 +53,17 @@ struct Nose {
 
   // What the flight needs to see.
   double least_cosine;  ///< cosine of the largest angle from the nose within the field of view
-  bool has_unseen;      ///< something unseen ended the last proof
-  Vec3 unseen;          ///< where that is, world frame
+  bool has_unseen;      ///< an unseen voxel ended the last proof
+  Vec3 unseen;          ///< the centre of that voxel, world frame
 
   void set(const FlightFacts& flight, const FlightYaw& wanted) noexcept;
-  /// Goes on with the pending yaw plan, or begins one if the wish has changed.
-  /// The next thing to see is at `look_at`; so many plans were committed.
+  /// Goes on with the pending yaw plan, or begins one if the wish has changed. `look_at`: the next thing to see.
+  /// `commits`: plans committed so far.
   void turn(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits, Work& work) noexcept;
   /// Notes whether something that was not seen yet ended the last proof.
   void note_view(const RollingMap& map, const ProofReport& found) noexcept;
 
-  /// What is wrong with it; kOk if nothing is.
+  /// kOk, or the fault of the wanted yaw.
   Status check(const FlightSpec& spec, const FlightYaw& wanted) const noexcept;
   YawSample at(std::int64_t t) const noexcept;
   /// The wish at this tick; the arguments are those of turn().

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a tick says of the vehicle's surroundings, and reports.
+// The vehicle's surroundings, and the report of a tick.
 #include "flight/flight_state.hpp"
 
 namespace tern {
@@ -16,7 +16,7 @@ FlightMode mode_of(const FlightFacts& facts, const Watch& watch, const RestSearc
 
 }  // namespace
 
-/// How near the nearest thing is to where the vehicle rests.
+/// The distance of the nearest thing from the resting vehicle, metres.
 double FlightState::note_block_near_vehicle() noexcept {
   return block.note_near(facts.map, facts.position(), facts.map.safe(), tick_work);
 }

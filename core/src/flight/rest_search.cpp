@@ -10,23 +10,24 @@ namespace {
 
 /// Lookouts to fly to before the vehicle gives up.
 constexpr int kLookouts = 8;
-/// The largest and the least distance of a lookout from what is to be seen, in radii. A vehicle that moves straight
-/// away moves at most by the largest.
+/// The largest and the least distance of a lookout from the hidden voxel, in radii. A vehicle that moves straight away
+/// moves at most by the largest.
 constexpr int kMostRadii = 10;
 constexpr int kLeastRadii = 3;
 constexpr int kRanges = kMostRadii - kLeastRadii + 1;
-/// Heights of lookouts at one place, half a radius apart: level with what is to be seen first, then above and below it
-/// in turn.
+/// Heights of lookouts at one place, half a radius apart: level with the hidden voxel first, then above and below it in
+/// turn.
 constexpr int kHeights = 21;
 /// Places that are fewer radii apart than this count as the same.
 constexpr double kSamePlaceRadii = 4.0;
 /// The steepest line of sight: how far it drops or climbs across a voxel, in voxels.
 constexpr double kSteepest = 1.0;
 
-/// Is `one` a better lookout than `other` for a vehicle that rests at `at`? A free straight way to it counts most,
-/// because it can be flown wherever the vehicle rests. The next criterion is a small drop of the line of sight across a
-/// voxel, because what is right below or above a voxel hides it from steep lines. Lines along the grid's axes drop
-/// least, because they cross a voxel on the shortest way. Of equal lookouts, the one nearest to the vehicle is better.
+/// True if `one` is a better lookout than `other` for a vehicle that rests at `at`. A free straight way to it counts
+/// most, because the vehicle can fly that from wherever it rests. The next criterion is a small drop of the line of
+/// sight across a voxel, because the voxels right below or above a voxel hide it from steep lines. Lines along the
+/// grid's axes drop least, because they cross a voxel on the shortest way. Of equal lookouts, the one nearest to the
+/// vehicle is better.
 bool is_better(const Lookout& one, const Lookout& other, const Vec3& at) {
   if (other.direction < 0) return true;
   if (one.is_straight != other.is_straight) return one.is_straight;
@@ -41,8 +42,8 @@ Vec3 offset_of(int direction) {
   return {kCosines[direction], kCosines[(direction + 6) % kDirections], 0.0};
 }
 
-/// The place straight away from what is to be seen, as far as the space is known to be free. If the vehicle touches
-/// what it cannot see, no plan may lead elsewhere.
+/// The furthest place straight away from the hidden voxel in space that is known to be free. If the vehicle touches
+/// that voxel, no plan may lead elsewhere.
 Vec3 place_away(const Grid& safe, const Blockage& block, const Vec3& start, Work& work) {
   const double radius = safe.spec().clearance();
   const Vec3 away = start - block.at;
@@ -131,8 +132,8 @@ Progress RestSearch::find_lookout(const FlightFacts& flight, const Blockage& blo
   return Progress::kDone;
 }
 
-/// Looks at place `searched`: in a direction from what is to be seen, at a range and a height. Keeps it if it is the
-/// best lookout so far for a vehicle that rests at `at`.
+/// Looks at place `searched`: in a direction from the hidden voxel, at a range and a height. Keeps it if it is the best
+/// lookout so far for a vehicle that rests at `at`.
 void RestSearch::look_from(const FlightFacts& flight, const Blockage& block, const Vec3& at, Work& work) noexcept {
   const Grid& safe = flight.map.safe();
   const double radius = safe.spec().clearance();
@@ -176,8 +177,8 @@ void RestSearch::note_commit(const Draft& draft, const Commitment& in_flight) no
   turned = false;
 }
 
-/// On the way to a lookout, the sensor looks at what the lookout is for. After a lookout, it looks at the voxel that
-/// ended the proof, as it does at rest. Otherwise, it looks at the point where the proof ended.
+/// On the way to a lookout, the sensor looks at the hidden voxel. After a lookout, it looks at the voxel that ended the
+/// proof, as it does at rest. Otherwise, it looks at the point where the proof ended.
 void RestSearch::look_at_end(const FlightFacts& flight, const Draft& draft, double until) noexcept {
   if (draft.plan.looks_out) {
     look_at = draft.plan.hidden;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a vehicle at rest does to find a way on: it looks around, then flies to places from where it may see what blocks
-// its way. It also says where the sensor should look.
+// How a vehicle at rest finds a way on: it looks around, then flies to lookouts to see what blocks its way, the hidden
+// voxel. This part also says where the sensor should look.
 #ifndef TERN_FLIGHT_REST_SEARCH_HPP
 #define TERN_FLIGHT_REST_SEARCH_HPP
 
@@ -20,11 +20,11 @@ namespace tern {
 /// Cycles at rest without a commit after which the vehicle looks around, and directions of a full turn.
 constexpr int kIdleCycles = 3;
 constexpr int kDirections = 8;
-/// After a look around, the vehicle looks at what ended the last proof for the time of this many directions: a noisy
-/// sensor needs some frames.
+/// After a look around, the vehicle looks at the place that ended the last proof, for the time of this many directions:
+/// a noisy sensor needs some frames.
 constexpr int kStares = 5;
-/// Bits of RestSearch::sought: all directions of a full turn, straight away from what is to be seen, and that the
-/// vehicle flew straight away already.
+/// Bits of RestSearch::sought: all directions of a full turn, the one straight away from the hidden voxel, and whether
+/// the vehicle flew straight away already.
 constexpr std::uint32_t kAround = (1u << kDirections) - 1;
 constexpr std::uint32_t kAway = 1u << kDirections;
 constexpr std::uint32_t kWentAway = kAway << 1;
@@ -33,7 +33,7 @@ constexpr std::uint32_t kWentAway = kAway << 1;
 struct Lookout {
   Vec3 place;              ///< world frame
   double drop;             ///< how far the line of sight drops or climbs across a voxel, in voxels
-  std::int32_t direction;  ///< from what is to be seen to the place; negative: no lookout
+  std::int32_t direction;  ///< from the hidden voxel to the place; negative: no lookout
   bool is_straight;        ///< the straight way there is known to be free
 };
 
@@ -52,16 +52,16 @@ struct RestSearch {
 
   /// The sensor should see this place.
   void look_towards(const Vec3& place) noexcept { look_at = place; }
-  /// Whatever made the vehicle give up is forgotten.
+  /// Forgets all reasons to give up.
   void try_anew() noexcept;
   void forget_lookouts() noexcept;
   void end_look() noexcept { is_looking = false; }
-  /// Forgets what was tried once the vehicle is no longer near the place where it was tried.
+  /// Forgets all attempts once the vehicle is no longer near the place where it made them.
   void note_place(const FlightFacts& flight) noexcept;
-  /// A cycle at rest ended without a commit. True if there were kIdleCycles of them.
+  /// A cycle at rest ended without a commit. True if there were kIdleCycles such cycles in a row.
   bool count_idle() noexcept { return ++idle_cycles >= kIdleCycles; }
-  /// After so many: the vehicle looks around, then flies to lookouts to see what blocks its way. If nothing helps, it
-  /// gives up: the answer says why, otherwise kNone. `is_cut_off`: no way leads to the target.
+  /// After kIdleCycles failed cycles, the vehicle looks around, then flies to lookouts. If nothing helps, it gives up:
+  /// the answer says why, otherwise kNone. `is_cut_off`: no way leads to the target.
   FlightReason after_failed_cycle(const FlightFacts& flight, const Blockage& block, bool hemmed_in, bool is_cut_off,
                                   const Nose& nose) noexcept;
   /// True if the next plan leads to a lookout. A look around comes first: it shows more, sooner.
@@ -72,15 +72,16 @@ struct RestSearch {
   Progress find_lookout(const FlightFacts& flight, const Blockage& block, std::int64_t takeover, Work& work) noexcept;
   /// A plan is committed: counts the lookouts that plans lead to.
   void note_commit(const Draft& draft, const Commitment& in_flight) noexcept;
-  /// The sensor should see what ended the draft's proof, which holds until then, in seconds since its beginning.
+  /// The sensor should see the place that ended the draft's proof. The proof holds until `until`, seconds since the
+  /// draft's beginning.
   void look_at_end(const FlightFacts& flight, const Draft& draft, double until) noexcept;
   void look_at_voxel(const FlightFacts& flight, const Voxel& voxel) noexcept;
 
-  /// The lookout that is sought is straight away from what is to be seen.
+  /// The next plan leads straight away from the hidden voxel.
   bool goes_away() const noexcept { return (sought & kAway) != 0; }
   /// Where the plan to a lookout leads from a start at rest.
   Vec3 lookout_place(const RollingMap& map, const Blockage& block, const Vec3& start, Work& work) const noexcept;
-  /// What the sensor should see next: `look_at` or, during a look around, one direction after the other.
+  /// The place that the sensor should see next: `look_at` or, during a look around, one direction after the other.
   Vec3 looking_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;
   /// The direction of a look around at time `t`, from 0.
   int sector_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;

@@ -101,8 +101,8 @@ void FlightState::choose_draft(bool planned) noexcept {
   if (!cycle.choose_draft(facts, planned, hidden, draft)) fail();
 }
 
-/// What ended the proof of the draft is what the sensor should see next. If the flight gave up, or something is too
-/// near to the resting vehicle, the report keeps that instead.
+/// The sensor should see next what ended the proof of the draft. If the flight gave up, or something is too near to the
+/// resting vehicle, the report keeps that instead.
 Progress FlightState::run_proof() noexcept {
   if (draft.proof.step(tick_work) == Status::kRunning) return Progress::kMore;
   const ProofReport& found = draft.proof.report();
@@ -133,7 +133,7 @@ Progress FlightState::run_confirm() noexcept {
   return Progress::kDone;
 }
 
-/// The progress of a step; if it failed, the cycle has failed, and is done.
+/// The progress of a step. A step that fails ends the cycle.
 Progress FlightState::or_fail(Progress progress) noexcept {
   if (progress != Progress::kFailed) return progress;
   fail();
@@ -212,7 +212,7 @@ bool FlightState::leave_out(std::int32_t point, FlightReason why) noexcept {
   return left_out != LeftOut::kNothing;
 }
 
-/// Whatever made the vehicle give up is forgotten.
+/// Forgets all reasons to give up.
 void FlightState::try_anew() noexcept {
   facts.itinerary.try_anew();
   search.try_anew();

@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// Words that a piece copies; one row if that is longer.
+/// Words that a piece copies, or one row if a row is longer.
 constexpr std::int32_t kCopiedWords = 256;
 /// No voxels of a row.
 constexpr IndexRange kNone{0, 0};

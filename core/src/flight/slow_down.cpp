@@ -11,7 +11,7 @@ namespace {
 /// The largest first derivative of the pace times the duration, and the largest second derivative times its square.
 constexpr double kSteepestBlend = 1.875;
 constexpr double kMostCurved = 5.7735026918962576;
-/// How many times as long each slow-down is as the one before it, and the shortest duration, seconds.
+/// Each slow-down takes this many times as long as the one before it; and the shortest duration, seconds.
 constexpr double kSlower = 1.3;
 constexpr double kShortest = 0.2;
 /// The wanted length of a slow-down's segments, seconds, and the least and the largest number of them, without those
@@ -91,7 +91,7 @@ JointState paced(const Trajectory& plan, const Pace& pace, double t, const Vec3&
                      (r1 * r1 * r1) * s.d[3] + (3.0 * r1 * r2) * s.d[2] + r3 * s.d[1]}};
 }
 
-/// When the plan's first joint after `planned` is; the plan's end counts as one.
+/// The time of the plan's first joint after `planned`; the plan's end counts as one.
 double joint_after(const Trajectory& plan, double planned) {
   double joint = 0.0;
   for (int i = 0; i < plan.count && joint <= planned; ++i) joint += plan.segments[i].duration;

@@ -23,8 +23,8 @@ void FlightState::tick(std::int64_t t) noexcept {
   finish_report(facts.spec.work_per_tick - least(tick_work.units(), facts.spec.work_per_tick));
 }
 
-/// The map gets half of the tick's work, or most of it if there is no job. A copy or a proof reads the map, which must
-/// not change meanwhile.
+/// The map gets half of the tick's work, or three quarters if the cycle is idle. A copy or a proof reads the map, which
+/// must not change meanwhile.
 void FlightState::step_map() noexcept {
   if (watch.is_running || evasion.is_running || cycle.reads_map()) return;
   if (!facts.map.busy()) facts.follow_vehicle();

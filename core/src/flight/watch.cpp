@@ -18,8 +18,8 @@ Box around(const Box& a, const Box& b) {
 
 }  // namespace
 
-/// Proves only what is near what was added. Under a threat, it proves all of the plan, because what was solid may have
-/// become free. The alarm grows until the committed plan is proven.
+/// Proves only the parts of the plan near the added voxels. Under a threat, it proves all of the plan, because solid
+/// voxels may have become free. The alarm grows until the committed plan is proven.
 void Watch::begin(const FlightFacts& flight, RollingMap& map) noexcept {
   const bool is_added = map.take_added(added);
   if (is_added) {

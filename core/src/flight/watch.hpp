@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Proves the committed plan anew near voxels that became solid. What it finds is a threat.
+// Proves the committed plan anew near voxels that became solid. A proof that ends early is a threat.
 #ifndef TERN_FLIGHT_WATCH_HPP
 #define TERN_FLIGHT_WATCH_HPP
 
@@ -14,7 +14,8 @@
 
 namespace tern {
 
-/// Nanoseconds for which something that is too near to the resting vehicle, but comes no nearer, is shown as a threat.
+/// Something that is too near to the resting vehicle, but comes no nearer, is shown as a threat for this time,
+/// nanoseconds.
 constexpr std::int64_t kThreatShown = 300000000;
 /// Parts that are proven one after the other, at most.
 constexpr int kWatchedParts = 4;
@@ -30,7 +31,7 @@ enum class Watched : std::uint8_t {
 enum class WatchResult : std::uint8_t {
   kOpen,      ///< nothing new, or another part is to be proven
   kNoThreat,  ///< the committed plan is proven
-  kThreat,    ///< it is not
+  kThreat,    ///< the committed plan is not proven
 };
 
 struct Watch {
@@ -39,7 +40,7 @@ struct Watch {
   Watched part;
   bool has_added;           ///< the proof covers only what is near `added`
   bool covers_all;          ///< the next proof covers all of the plan, not only what is near `added`
-  Box added;                ///< around what became solid since the last proof
+  Box added;                ///< around the voxels that became solid since the last proof
   std::uint64_t revision;   ///< the safe grid's when the last proof began
   bool threat;              ///< the committed plan is not proven
   bool alarmed;             ///< a threat was found in this tick
@@ -47,9 +48,9 @@ struct Watch {
   double beside;            ///< at rest under a threat: how near the nearest thing was, metres
   Contact contact;          ///< of the threat, on the committed plan when it was found
   bool meets_before;        ///< the plan in flight is not proven up to the takeover of the waiting plan
-  Contact before;           ///< the contact there; any contact of the waiting plan is later
+  Contact before;           ///< the contact up to that takeover; any contact of the waiting plan is later
   bool has_alarm;
-  Alarm alarm;  ///< what became solid since the committed plan was proven
+  Alarm alarm;  ///< the voxels that became solid since the committed plan was proven
   bool known;   ///< the committed plan is clear of everything but the alarm
 
   void begin_tick() noexcept { alarmed = false; }
@@ -67,13 +68,13 @@ struct Watch {
   /// The waiting plan was dropped, and with it the contact before its takeover.
   void forget_before() noexcept { meets_before = false; }
   void note_takeover() noexcept;
-  /// A draft is committed whose takeover is then. A contact before its takeover remains.
+  /// A draft with this takeover is committed. A contact before the takeover remains.
   void note_commit(bool extends, std::int64_t takeover) noexcept;
-  /// What was committed is a brake with such a contact. `alarm_stays`: the alarm was there before the commit.
+  /// The committed draft is a brake with this contact. `alarm_stays`: the alarm was there before the commit.
   void note_unproven_brake(const Contact& of_brake, bool is_known, bool alarm_stays) noexcept;
 
   bool is_running_but_for_alarm() const noexcept { return is_running && part != Watched::kAlarm; }
-  /// Something is nearer than the radius to where the vehicle rests.
+  /// Something is nearer to the resting vehicle than the radius.
   bool is_beside(const FlightFacts& flight) const noexcept { return threat && flight.rests(); }
   /// There is something beside the resting vehicle, and note_beside() is yet to say how near.
   bool lacks_beside(const FlightFacts& flight) const noexcept { return is_beside(flight) && !(beside < kAnywhere); }

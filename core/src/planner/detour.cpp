@@ -13,7 +13,7 @@
 namespace tern {
 namespace {
 
-/// What lines are checked against, and what that spends from.
+/// The world that lines are checked against, and the work that the checks spend.
 struct Lines {
   const World& world;
   Work& work;
@@ -32,9 +32,10 @@ bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
   return line_of_sight(lines.world.voxels(), from, to) && lines.world.solids_clear(from, to);
 }
 
-/// The stopping point of the sharpest braking that has room straight ahead. Whatever the acceleration, it leads nearly
-/// along the velocity. As far as it reaches, its polyhedron also has room for gentler braking. A stop that lies beyond
-/// the boundary by rounding is put on it: far from the world's origin, it may be further out than the check tolerates.
+/// The stopping point of the sharpest braking that has room straight ahead. Whatever the acceleration, this braking
+/// leads nearly along the velocity. The polyhedron around it also has room for gentler braking, as far as it reaches. A
+/// stop that lies beyond the boundary by rounding is put on it: far from the world's origin, it may be further out than
+/// the check tolerates.
 bool find_stop(Lines& lines, const State& state, const MotionLimits& limits, Vec3& stop) {
   for (int shape = kBrakeShapes - 1; shape >= 0; --shape) {
     const Vec3 end = stopping_point(make_brake(state, limits, shape));

@@ -27,11 +27,11 @@ constexpr int kOnwardWaypoints = 4;
 /// The most lines that the detours of both ends check.
 constexpr std::uint32_t kDetourLines = 2u * static_cast<std::uint32_t>(kBrakeShapes + kOnwardWaypoints);
 
-/// Changes the path at each end that is in motion. It then first goes straight to a point where the motion can stop
-/// (for the goal: where it can have begun), if this line keeps the radius. From there it goes to the furthest waypoint
-/// in sight, or back to its end and along the old path. Adds at most two waypoints per end. False, with `path`
-/// unchanged, if neither end has such a point or the path has no room for it. The request is in the local frame, and
-/// `limits` are its limits. A piece of work: at most kDetourLines lines.
+/// Changes the path at each end that is in motion. The path then first goes straight to a point where the motion can
+/// stop (for the goal: where it can have begun), if this line keeps the radius. From there the path goes to the
+/// furthest waypoint in sight, or back to its end and along the old path. Adds at most two waypoints per end. False,
+/// with `path` unchanged, if neither end has such a point or the path has no room for it. The request is in the local
+/// frame, and `limits` are its limits. A piece of work: at most kDetourLines lines.
 bool take_detour(const World& world, const Request& request, const MotionLimits& limits, Path& path,
                  Work& work) noexcept;
 

@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Makes the stop of the next_choice choice. False if it breaks the limits.
+/// Makes the stop of the choice number `next_choice`. False if it breaks the limits.
 bool make_stop(const State& state, bool to_goal, const MotionLimits& limits, EndStop& stop) {
   const int choice = stop.next_choice++;
   Stopping& stopping = stop.stopping;
@@ -25,7 +25,7 @@ bool make_stop(const State& state, bool to_goal, const MotionLimits& limits, End
 
 /// Makes one curve from state to state. False if it breaks the limits.
 bool make_arrival(const State& start, const State& goal, const MotionLimits& limits, int choice, Stopping& out) {
-  // Durations to try, in parts of what the way takes at the mean of both velocities.
+  // Durations to try, in parts of the time that the way takes at the mean of both velocities.
   constexpr double kParts[kArrivals] = {1.0, 1.01, 0.99, 1.03, 0.97, 1.1, 0.9, 1.25, 0.8, 1.5, 2.0, 3.0};
   const double speed = 0.5 * length(start.velocity + goal.velocity);
   const double way = distance(start.position, goal.position);
@@ -53,7 +53,7 @@ bool begin_trial(const RoomProof& room, EndStop& stop) {
   return true;
 }
 
-/// A stop keeps a check_distance more than the check asks for: the way goes on where it rests.
+/// A stop keeps a check_distance more than the check asks for, because the plan goes on from its end.
 Progress advance_trial(const RoomProof& room, EndStop& stop, Work& work) {
   const Progress progress =
       room_advance(room.stage, room.grid, room.curve, room.world, check_distance(room.grid), work);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A stop at one end of a plan that is in motion, by any manoeuvre that has room (curve/stopping.hpp). The stop of a
-// goal is computed backwards in time, to a place where its motion can have begun. The certifier says what has room.
+// A stop at an end of a plan that is in motion, by any manoeuvre that has room (curve/stopping.hpp). The stop of a goal
+// is computed backwards in time, to a place where its motion can have begun. The certifier says what has room.
 #ifndef TERN_PLANNER_END_STOP_HPP
 #define TERN_PLANNER_END_STOP_HPP
 
@@ -34,12 +34,12 @@ inline void reset(EndStop& stop) noexcept {
   stop.is_tried = false;
 }
 
-/// What proves that a curve has room, and the memory for it.
+/// The inputs of a proof that a curve has room, and the memory for it.
 struct RoomProof {
   const Grid& grid;
-  const AskedWorld* world;  ///< what the request adds to it; null: nothing
+  const AskedWorld* world;  ///< the request's fences; null: none
   CheckStage& stage;
-  Trajectory& curve;  ///< what is being proven; its origin is that of the plan
+  Trajectory& curve;  ///< the curve that is proven; its origin is the plan's
 };
 
 /// Tries the next choice for `state` (relative to the plan's origin), the goal's if `to_goal`. One piece of work makes

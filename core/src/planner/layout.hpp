@@ -23,7 +23,7 @@ struct PlannerCalls {
   Clock clock;
   bool begun;     ///< until finish() or finish_route()
   bool is_route;  ///< begun by begin_route()
-  Work slice;     ///< what step() was given; a debt between two calls
+  Work slice;     ///< the work given to step(); a debt between two calls
 };
 
 /// The content of the workspace. The results of the stages outlive them. The stages' own states are never needed at the
@@ -38,7 +38,7 @@ struct Layout {
   Ends ends;
   EndStop stops[2];  ///< the start's and the goal's
   Previous previous;
-  AskedWorld asked;  ///< what the request adds to the world, for the check
+  AskedWorld asked;  ///< the request's fences, for the check
   WorldMemory world;
   union {
     SearchStage search;

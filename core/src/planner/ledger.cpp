@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-/// How often a plan may do what its bounds count.
+/// How often a plan may run the steps that its bounds count.
 struct Times {
   std::uint32_t goals;     ///< the requested one and, with GoalMode::kNearest, the reachable point instead
   std::uint32_t searches;  ///< of the whole way

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The work of a plan: what each stage did over all its runs, and what the request's budget has left.
+// The work of a plan: that of each stage over all its runs, and the rest of the request's budget.
 #ifndef TERN_PLANNER_LEDGER_HPP
 #define TERN_PLANNER_LEDGER_HPP
 
@@ -15,7 +15,7 @@
 
 namespace tern {
 
-/// Contract C2: the most that one run of a stage works, known before it runs. It follows from capacities, and from the
+/// Contract C2: the most work of one run of a stage, known before it runs. It follows from capacities, and from the
 /// size of the grid if a capacity would say far more.
 struct StageBound {
   std::uint64_t pieces;  ///< the most pieces of work
@@ -44,12 +44,12 @@ class Ledger {
   /// A run of a stage begins.
   void enter() noexcept { is_bound_ = false; }
   void begin_slice() noexcept { slice_begin_ = clock_.ticks(); }
-  /// The slice took so many operations of the stage. The first slice of a run makes the stage's bound.
+  /// The slice took these operations for the stage. The first slice of a run makes the stage's bound.
   void count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept;
   void end_slice(Stage stage) noexcept;
 
   Operations spent(Stage stage) const noexcept { return spent_[static_cast<int>(stage)]; }
-  /// What the budget has left for the stage; not more than 0 if it is spent. Some stages share a budget.
+  /// The operations that the budget has left for the stage; 0 or less if it is spent. Some stages share a budget.
   Operations left(Stage stage, const Budget& budget) const noexcept;
 
   /// Writes the stages' entries. Without a clock that ran, they have no ticks.

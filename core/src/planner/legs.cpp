@@ -37,8 +37,8 @@ Status status_of_leg(const Problem& problem, const Legs& legs, Status status) {
   return is_too_narrow(status) ? Status::kViaTooNarrow : Status::kViaOccupied;
 }
 
-/// If an end has room but no free voxel, that is the resolution at which it would have one, and what takes its
-/// own voxel if obstacles and boundary leave it free.
+/// Why an end joins no voxel. If the end has room: the resolution at which it would have a free voxel, and the wall or
+/// solid that blocks its own voxel if obstacles and boundary leave that free.
 EndFault fault_of(const Problem& problem, const SearchStage& stage) {
   EndFault fault{stage.raw_occupied, stage.has_nearest_free, kZero, 0.0, kNoSolid};
   if (stage.has_nearest_free) fault.nearest_free = stage.nearest_free + voxels_of(problem).spec().origin;

@@ -26,14 +26,14 @@ struct EndFault {
   bool has_nearest_free;
   Vec3 nearest_free;   ///< world frame
   double finer_cell;   ///< a resolution at which an end that is too narrow would have a voxel; 0: none
-  std::int32_t solid;  ///< or wall, that takes such an end's voxel, although obstacles leave it; else kNoSolid
+  std::int32_t solid;  ///< the solid or wall that blocks such an end's voxel, if obstacles leave it free; else kNoSolid
 };
 
 struct Legs {
   std::int32_t leg;     ///< the current one, which leads to the via of this index, or to the goal
   bool searched_again;  ///< the optimal search followed a fast path that needed too many segments
   Status status;        ///< why the search or the shortcut failed, as a status of the plan; else kOk
-  std::int32_t via;     ///< the via that it could not leave, or that the leg leads to; kNoVia: start or goal
+  std::int32_t via;     ///< the via that the leg could not leave, or leads to; kNoVia: start or goal
   EndFault fault;
   // Figures for the report.
   std::int32_t nodes_high;
@@ -55,19 +55,18 @@ struct WayMemory {
 void legs_begin(const Problem& problem, Legs& legs, Path& path) noexcept;
 /// True if the current leg leads to the goal.
 bool is_last_leg(const Problem& problem, const Legs& legs) noexcept;
-/// The via or the requested goal that the current leg leads to, local frame. It may end before the goal, if the plan
-/// is to come to rest before a goal in motion.
+/// The via or the requested goal that the current leg leads to, local frame. The leg may end before the goal, if the
+/// plan is to come to rest before a goal in motion.
 Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept;
 
 /// Searches for the current leg. leg_search_begin() returns the operations that it took. If the search fails,
 /// legs.status, via and fault say why.
 Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, SearchStage& stage) noexcept;
 Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& legs, WayMemory way, Work& work) noexcept;
-/// The search ends here, for lack of work.
+/// Ends the search because its budget is spent.
 void leg_search_stop(const Problem& problem, SearchStage& stage, Legs& legs) noexcept;
 
-/// Shortens the current leg, and appends it to the path. If that fails, legs.status and via say
-/// why.
+/// Shortens the current leg and appends it to the path. If that fails, legs.status and via say why.
 void leg_shortcut_begin(const Problem& problem, WayMemory way, ShortcutStage& stage) noexcept;
 Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,
                               Work& work) noexcept;

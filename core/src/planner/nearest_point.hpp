@@ -24,7 +24,7 @@ struct NearestPoint {
   Status status;       ///< why the stage failed; else kOk
 };
 
-/// True if the plan misses the goal whatever its limits and budget, and nothing is known yet of how near it can come.
+/// True if no limits and no budget would lead the plan to the goal, and the reachable point is not known yet.
 bool nearest_point_may_help(const NearestPoint& nearest, Status failure) noexcept;
 
 /// Looks for the point nearest to `target` (local frame).
@@ -32,8 +32,8 @@ void nearest_point_begin(const Problem& problem, const Vec3& target, ReachStage&
 /// The pieces of work are those of reach_advance. kDone: nearest.point is known.
 Progress nearest_point_advance(const Problem& problem, ReachStage& stage, NearestPoint& nearest, Work& work) noexcept;
 
-/// True if the plan should lead to the point that was found. It should not if that is the goal's own voxel, which the
-/// search could not tell for lack of memory.
+/// True if the plan should lead to the point that was found. It should not if the point lies in the goal's own voxel:
+/// then the search only lacked memory.
 bool leads_to_nearest(const Problem& problem, const ReachStage& stage, Status failure) noexcept;
 
 /// Makes the reachable point the goal. `failure` says why.

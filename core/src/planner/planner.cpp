@@ -101,7 +101,7 @@ Status Planner::finish_route(Report& report) noexcept {
   return close(true, report);
 }
 
-/// Ends what was begun. `is_route` says which of the two calls asks for it.
+/// Ends the plan or route that was begun. `is_route`: finish_route() asks for it, not finish().
 Status Planner::close(bool is_route, Report& report) noexcept {
   if (memory_ == nullptr || !memory_->calls.begun) return refuse(report);
   PlannerCalls& calls = memory_->calls;

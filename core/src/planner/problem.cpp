@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Of each fence that is read: its corners are those of all triples of faces.
+/// Operations for each fence that is read: it may have a corner for each triple of faces.
 constexpr Operations kFenceOperations = 200 * ops::kPiece;
 
 /// Compares start and vias with walls and solids.

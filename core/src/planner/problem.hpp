@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a plan is asked for, in the form in which all stages and attempts read it.
+// The request in the form that all stages and attempts read.
 #ifndef TERN_PLANNER_PROBLEM_HPP
 #define TERN_PLANNER_PROBLEM_HPP
 
@@ -24,11 +24,11 @@ namespace tern {
 struct Problem {
   const Grid* grid;          ///< the caller's
   GridVersion version;       ///< of that grid: it may not change
-  const WorldMemory* world;  ///< what is in the way: world_of()
+  const WorldMemory* world;  ///< the memory of the world: see world_of()
   const Via* vias;           ///< world frame
   std::int32_t via_count;
   MotionLimits limits;
-  Request asked;       ///< the request; what it points to is not read again
+  Request asked;       ///< the request; its pointers are not followed again
   Status goal_fault;   ///< kGoalFenced: only the reachable point is left to look for; else kOk
   bool given_at_rest;  ///< both ends were given at rest
   bool has_pace;       ///< Previous::plan passes the start, `pace_from` seconds after its beginning
@@ -43,9 +43,9 @@ struct RequestFault {
   std::int32_t via = kNoVia;      ///< index in Request::vias
 };
 
-/// The ends of what the search joins: the request's, or the places at which the plan stops first. The states are
-/// relative to the requested start, which is, bit for bit, the origin of the plan's frame. The other positions are in
-/// the grid's local frame, within its boundary.
+/// The ends that the search joins: the request's, or the places at which the plan stops first. The states are relative
+/// to the requested start, which is, bit for bit, the origin of the plan's frame. The other positions are in the grid's
+/// local frame, within its boundary.
 struct Ends {
   State start;
   State goal;
@@ -69,9 +69,9 @@ State asked_end(const Problem& problem, int end) noexcept;
 /// The request's ends.
 void take_ends(const Problem& problem, Ends& ends) noexcept;
 
-/// Reads what the request adds to the world, for planning and for the check, and compares start, vias and goal with it.
-/// Answers kOk or the first thing that is wrong. The field and the fence are also set for kOk
-/// with a goal that breaks a fence. `spent` grows by the operations that it took.
+/// Reads the request's fences, for planning and for the check, and compares start, vias and goal with them. Answers kOk
+/// or the first thing that is wrong. The field and the fence are also set for kOk with a goal that breaks a fence.
+/// `spent` grows by the operations that it took.
 RequestFault read_world(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
                         AskedWorld& asked, Operations& spent) noexcept;
 

@@ -87,7 +87,7 @@ StageBound corridor_bound(const GridSpec& spec) {
   return {kCorridorTries * kBoxLevels * pieces, room_piece(spec)};
 }
 
-/// Of proofs that `segments` segments have room.
+/// The bound of proofs that `segments` segments have room.
 StageBound room_bound(const GridSpec& spec, std::uint64_t segments) {
   return {segments * (kProofPieces + 2), check_piece_operations(spec) + kStopOperations};
 }

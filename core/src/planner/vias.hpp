@@ -22,7 +22,7 @@ struct ViaMemory {
   Via vias[kMaxVias];             ///< as asked for, world frame
   ViaMarks marks;                 ///< their waypoints on the path, and their polyhedra in the corridor of the path
   ViaJoint via_joints[kMaxVias];  ///< their joints in the chain
-  std::int32_t joint[kMaxVias];   ///< index of the trajectory's segment that begins at the via, or their count
+  std::int32_t joint[kMaxVias];   ///< index of the segment that begins at the via, or the number of segments
   Path leg;                       ///< the path of the current leg
 };
 

@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// Of a joint: both curves and their derivatives at one end.
+/// Operations at a joint: both curves and their derivatives at one end.
 constexpr Operations kEndOperations = ops::kPiece + 2 * ops::kCurve;
 
 bool refuse(Finding finding, std::int32_t segment, ProofReport& found) {
@@ -57,7 +57,7 @@ Progress prove_curve(CheckStage& stage, Work& work) {
 
 }  // namespace
 
-/// All rows of the grid may be near a piece, and each half obstacles, one in two.
+/// All rows of the grid may be near a piece, and every other voxel of a row may be an obstacle.
 Operations check_piece_operations(const GridSpec& spec) noexcept {
   const Operations rows = Operations{spec.dims.y} * spec.dims.z;
   const Operations cuts = 4 * ops::kRow + 18 * ops::kMultiplyAdd * kMaxPlanes;

@@ -24,7 +24,7 @@ namespace tern {
 
 /// Pieces of work of one check: pieces of each segment's position and of its three derivatives, and the joints.
 constexpr std::uint32_t kCheckBound = kMaxSegments * (4u * (kProofPieces + 1) + 1u) + 1u;
-/// The most operations of one of them.
+/// The most operations of one piece.
 Operations check_piece_operations(const GridSpec& spec) noexcept;
 
 /// What the request asked of the plan, as the caller gave it. World frame.
@@ -41,7 +41,7 @@ struct CheckQuery {
 
 enum class CheckPhase : std::uint8_t { kBegin, kCurve, kJoints };
 
-/// Of a whole plan, or of a part of one. Plain data, no initialisation needed before check_begin.
+/// A check of a whole plan, or of a part of one. Plain data; needs no initialisation before check_begin.
 struct CheckStage {
   Status status;  ///< kCheckFailed if the stage failed; else kOk
   CheckPhase phase;
@@ -53,9 +53,9 @@ struct CheckStage {
 
 void check_begin(CheckStage& stage) noexcept;
 
-/// Proves that a curve has room: that it keeps clear of obstacles and fences as the check will ask of a plan with this
-/// curve in it, and of obstacles and keep-outs by `spare` metres more. Nothing else is proven. kDone, or kFailed with
-/// the reason in `stage`. `world` may be null.
+/// Proves that a curve has room: it keeps clear of obstacles and fences as a plan with this curve must, and of
+/// obstacles and keep-outs by `spare` metres more. Nothing else is proven. kDone, or kFailed with the reason in
+/// `stage`. `world` may be null.
 Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& part, const AskedWorld* world,
                       double spare, Work& work) noexcept;
 

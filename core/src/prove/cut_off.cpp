@@ -19,7 +19,7 @@ constexpr double kUnitWithin = 1e-6;
 /// of the row.
 constexpr double kFlat = 1e-11;
 
-/// The voxels of an axis that the axis alone does not keep the distance from [lower, upper].
+/// The voxels along an axis that are nearer to [lower, upper] than the distance.
 IndexRange voxels_near(double lower, double upper, double distance, double cell, std::int32_t count) {
   IndexRange range = voxels_within(lower, upper, distance, cell, count);
   while (range.begin < range.end && lower - (range.begin + 1) * cell >= distance) ++range.begin;
@@ -99,8 +99,8 @@ bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan
   return false;
 }
 
-/// True if the cuts take every obstacle of the block, which has one. Looks at single rows only if there is an obstacle
-/// in the span that the cuts leave of the whole block.
+/// True if the cuts take every obstacle of the block. Looks at single rows only if there is an obstacle in the span
+/// that the cuts leave of the whole block.
 bool block_clear(const Grid& grid, const PlaneCuts& cuts, const RowBlock& block, Work& work) {
   const double cell = grid.spec().cell;
   const BitRows obstacles = GridAccess::obstacles(grid);

@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Proves that the hull of a few points keeps a distance from every obstacle cube, if somebody knows along which normals
-// the obstacles are cut off. It reads whole rows of voxels at once, so it is fast, and a long curve needs no halving.
-// The normals need no trust: each gives the plane through the hull's own furthest point. A wrong one cuts nothing off.
+// Proves that the hull of a few points keeps a distance from every obstacle cube, if it gets normals along which the
+// obstacles are cut off. It reads whole rows of voxels at once, so it is fast, and a long curve needs no halving. The
+// normals need no trust: each gives the plane through the hull's own furthest point. A wrong one cuts nothing off.
 #ifndef TERN_PROVE_CUT_OFF_HPP
 #define TERN_PROVE_CUT_OFF_HPP
 
@@ -21,7 +21,7 @@ struct Hints {
   int count;  ///< 0 .. kMaxPlanes
 };
 
-/// The hints that a polyhedron gives; none if its count is no count.
+/// The hints that a polyhedron gives; none if its count is out of range.
 Hints hints_of(const Polyhedron& polyhedron) noexcept;
 
 /// True if a normal of a hint is a unit vector, within rounding.

@@ -61,9 +61,9 @@ struct BlockEnds {
   }
 };
 
-/// The voxels of x that none of some half-spaces cuts off in all rows of the block. `cut` gives the half-spaces up to
-/// end[2], sorted as in PlaneCuts. A half-space that cuts off a voxel also cuts off all voxels behind it in the same
-/// sense of x. So what is left is one span; it is empty if begin >= end.
+/// The voxels of x that no half-space cuts off in all rows of the block. `cut` gives the half-spaces, sorted as in
+/// PlaneCuts, with the ends of each sign's in `ends_of_signs`. A half-space that cuts off a voxel also cuts off all
+/// voxels behind it in the same sense of x. So one span is left; it is empty if begin >= end.
 template <typename CutAt>
 RowSpan uncut(double cell, const int (&ends_of_signs)[3], const RowBlock& block, const CutAt& cut) {
   const BlockEnds ends(cell, block);
@@ -85,7 +85,7 @@ inline RowSpan uncut(double cell, const PlaneCuts& cuts, const RowBlock& block) 
   return uncut(cell, cuts.end, block, [&](int p) -> const PlaneCut& { return cuts.cut[p]; });
 }
 
-/// Some of the cuts, by index, sorted as they are.
+/// Some of the cuts, by index, in the same order.
 struct FewCuts {
   std::int16_t cut[kMaxPlanes];
   int end[3];

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fences in proofs: what a request asks for, and whether the hull of a few points respects it. Reads the caller's own
-// half-spaces.
+// Fences in proofs: tells whether the hull of a few points respects them. Reads the caller's own half-spaces.
 #ifndef TERN_PROVE_FENCES_HPP
 #define TERN_PROVE_FENCES_HPP
 
@@ -19,7 +18,7 @@
 
 namespace tern {
 
-/// What a request adds to the world, as the caller gave it: world frame, normals of any length. The fences point into
+/// The fences of a request, as the caller gave them: world frame, normals of any length. The fences point into
 /// `planes`, so they may not move.
 struct AskedWorld {
   std::int32_t count;
@@ -30,7 +29,7 @@ struct AskedWorld {
 /// Copies the caller's fences, which find_fence_fault() has accepted. False if they are too many.
 bool copy_asked(const Fence* list, std::int32_t count, AskedWorld& asked) noexcept;
 
-/// What a hull keeps from fences.
+/// The rule by which a hull must respect fences.
 struct FenceRule {
   Vec3 frame;        ///< of the points, in the world, metres
   double distance;   ///< from keep-outs, metres
@@ -42,7 +41,7 @@ struct FenceRule {
 /// the points are close together.
 bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept;
 
-/// By how many metres too much a point is outside the keep-in, or too near to the keep-out as far as its faces tell.
+/// Metres by which a point breaks the rule: outside the keep-in, or too near to the keep-out, as far as its faces tell.
 double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point) noexcept;
 
 /// Memory for one keep-out at a time, relative to the centre of the box around the boundary.
@@ -51,7 +50,7 @@ struct FenceScratch {
   Solid<double> quick;  ///< the same, rounded
 };
 
-/// What the planner knows of its plan, and memory to use it. The proof does not depend on it.
+/// The planner's hints for the proof of its plan, and memory to use them. The proof does not depend on them.
 struct PlanHints {
   const Corridor* corridor;  ///< may be null, empty, or wrong
   FenceScratch scratch;
@@ -70,11 +69,11 @@ struct Apart {
 bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int index, const Hints& hints,
                       const Apart& hull, FenceScratch& scratch) noexcept;
 
-/// Of one call of fence_clear: each face, and each edge of a keep-out, against eight points.
+/// Operations of one call of fence_clear: each face, and each edge of a keep-out, against eight points.
 Operations fence_operations(const Fence& fence) noexcept;
-/// Of one call of keep_out_cut_off: the corners of the part are those of all triples of planes.
+/// Operations of one call of keep_out_cut_off: the part may have a corner for each triple of planes.
 constexpr Operations kKeepOutOperations = 150 * ops::kPiece;
-/// Of both calls for each of the most fences.
+/// Operations of both calls for kMaxFences fences.
 constexpr Operations kAskedOperations =
     kMaxFences * (kKeepOutOperations + ops::kPiece +
                   16 * ops::kDot * (kMaxFencePlanes + Operations{kMaxFencePlanes} * kMaxFencePlanes / 2));

@@ -26,20 +26,20 @@ constexpr double kCheckRelative = 3e-8;
 /// A unit in the last place, relative: 2^-52.
 constexpr double kUlp = 1.0 / 4503599627370496.0;
 
-/// What is granted a curve.
+/// The grant to a curve.
 struct Grant {
   double near;     ///< metres by which it may be nearer than the radius to an obstacle or a keep-out
   double outside;  ///< metres by which it may be outside a keep-in
   Box boundary;    ///< where it may be, local frame, metres
   double excess;   ///< over a limit, relative
   bool is_cut;  ///< true: its control points are rounded, so its derivatives are granted derivative_rounding(). false:
-                ///< they are what the planner chose, and hodograph_rounding() suffices.
+                ///< the planner chose them, and hodograph_rounding() suffices.
 };
 
 /// For a plan, as the planner made it.
 Grant grant_to_plan(const Grid& grid, const Trajectory& trajectory) noexcept;
-/// For any other curve: a plan, what was cut from it, and a brake appended to it. A little more than for a plan, so
-/// that a checked plan is proven on the same map however it was cut.
+/// For any other curve: a plan, a part of one, and a part with a brake appended. A little more than for a plan, so that
+/// a checked plan is proven on the same map however it was cut.
 Grant grant_to_curve(const Grid& grid, const Trajectory& trajectory) noexcept;
 
 /// Metres between a point's places in the grid's frame and in the trajectory's: the rounding of local coordinates, and
@@ -56,8 +56,8 @@ constexpr double kCornerUlps = 512.0;
 double face_grant(const Grid& grid, double face) noexcept;
 constexpr double kFaceRoundingUlps = 4.0;
 
-/// Metres between the ends of two segments, and by which any curve may be outside something. Rounding of positions is
-/// in units in the last place of world coordinates and extents.
+/// Metres that the ends of two segments may be apart, and by which any curve may be outside or too near. Rounding of
+/// positions is in units in the last place of world coordinates and extents.
 double curve_distance(const Grid& grid, const Trajectory& trajectory) noexcept;
 constexpr double kPlaceUlps = 32.0;
 

@@ -16,7 +16,7 @@ namespace tern {
 constexpr double kBeyondAnyMap = 1e100;
 
 /// Normalises a half-space that is not beyond any map. `frame`: the origin of local coordinates, in the world.
-/// `center`: that of the result, in local coordinates. The length of the normal alone is rounded.
+/// `center`: the origin of the result, in local coordinates. The length of the normal alone is rounded.
 inline Plane<DoubleDouble> plane_about(const Halfspace& world, const Vec3& frame, const Vec3& center) {
   const double scale = 1.0 / length(world.normal);
   const DoubleDouble offset = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, center);

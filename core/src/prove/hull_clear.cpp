@@ -64,8 +64,8 @@ std::int32_t find_bit(const Row& row, const IndexRange& range, bool value) {
   return range.end;
 }
 
-/// True if two boxes are at least the distance apart. Rounding can only turn true into false, and by far less of the
-/// distance than what is granted.
+/// True if two boxes are at least the distance apart. Rounding can only turn true into false, and shifts the distance
+/// by far less than the grant.
 bool boxes_apart(const Box& a, const Box& b, double distance) {
   double square = 0.0;
   for (int k = 0; k < 3; ++k) {

@@ -30,7 +30,7 @@ struct Pardon {
   IndexRange xs{0, 0}, ys{0, 0}, zs{0, 0};
 };
 
-/// What a hull keeps from obstacles.
+/// The rule by which a hull must keep off obstacles.
 struct Clearance {
   double distance;       ///< if it is negative, the hull may be inside an obstacle by so much
   const Vec3* departed;  ///< null, or a place that is left: an obstacle nearer to it than `distance` may be as near to

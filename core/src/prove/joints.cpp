@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-/// Stands for what is granted a derivative that may jump.
+/// Stands for the grant to a derivative that may jump.
 constexpr double kAnyJump = __builtin_inf();
 
 Granted sum_of(const Granted& a, const Granted& b) {
@@ -17,14 +17,14 @@ Granted sum_of(const Granted& a, const Granted& b) {
   return sum;
 }
 
-/// What rounding may do to an end of a segment.
+/// The grant for the rounding at an end of a segment.
 Granted rounding_of(const Segment& segment) {
   Granted granted{};
   for (int k = 0; k < kOrders; ++k) granted.most[k] = derivative_rounding(segment, k);
   return granted;
 }
 
-/// What is granted at a joint of a flight.
+/// The grant at a joint of a flight.
 Granted with_jump(Granted rounding) {
   for (int k = 0; k < 3; ++k) rounding.most[k] += kJointJump[k];
   rounding.most[3] = kAnyJump;

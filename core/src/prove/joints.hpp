@@ -21,8 +21,8 @@ struct Granted {
   double most[kOrders];
 };
 
-/// True if two states are the same to within what is granted. If false, `found` receives the derivative, the axis on
-/// which it differs most, and by how much too much.
+/// True if two states agree to within the grant. If false, `found` receives the derivative, the axis of the largest
+/// difference, and its excess over the grant.
 bool agree(const Jet& a, const Jet& b, const Granted& granted, ProofReport& found) noexcept;
 
 /// True if the positions have the same bits, and the derivatives to jerk agree to within the rounding of both sides.
@@ -33,10 +33,10 @@ bool segments_join(const Segment& before, const Segment& after, ProofReport& fou
 bool state_met(const Segment& segment, bool at_end, const State& asked, const Vec3& origin, double distance,
                ProofReport& found) noexcept;
 
-/// The most by which a position, a velocity and an acceleration may jump in what a flight commits: m, m/s, m/s^2.
-/// Rounding is granted on top. A jerk may jump.
+/// The most by which a position, a velocity and an acceleration may jump in a committed plan: m, m/s, m/s^2. Rounding
+/// is granted on top. A jerk may jump.
 constexpr double kJointJump[] = {1e-9, 1e-6, 1e-4};
-/// Of each segment: the differences at both of its ends.
+/// Operations for each segment: the differences at both of its ends.
 constexpr Operations kJointOperations = 16 * ops::kDot;
 
 /// True if `after` follows `before` without a jump.

@@ -144,7 +144,7 @@ bool Proof::sound(const Segment& segment) const noexcept {
   return segment_ > 0 || finite(trajectory_->origin);
 }
 
-/// By how many metres too much the segment begins beside the end of the one before; 0 if it does not.
+/// The excess over the grant of the gap between the segment and the one before, metres; else 0.
 double Proof::gap_before(const Segment& segment) const noexcept {
   if (segment_ == 0) return 0.0;
   const double gap = distance(segment.points[0], trajectory_->segments[segment_ - 1].points[kDegree]);

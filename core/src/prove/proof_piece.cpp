@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether one piece of the curve, or of a derivative, is within what is granted, and by how much it is not.
+// Tells whether one piece of the curve, or of a derivative, is within the grant, and its excess otherwise.
 #include "base/math.hpp"
 #include "prove/allowed.hpp"
 #include "prove/cut_off.hpp"
@@ -112,7 +112,7 @@ bool Proof::holds(const Piece& piece, int count, Finding& end) noexcept {
   return hull_allowed(allowed(), piece.c, count);
 }
 
-/// By how much a point of the curve, or of its derivative, is beyond what is granted.
+/// The excess of a point of the curve, or of its derivative, over the grant.
 Excess Proof::excess_at(const Vec3& point, Finding end) const noexcept {
   if (end == Finding::kOutside) return outside_by(boundary_, point);
   if (end == Finding::kFence)

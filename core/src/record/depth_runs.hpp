@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Depths in a record: runs of numbers of 16 or 32 bits, four or two to a word, the first one lowest. A run begins with
-// its length times 2, plus 1 if its numbers are equal. Of equal numbers one follows, of others all. The last word is
-// filled up with zeros.
+// its length times 2, plus 1 if its numbers are equal. Equal numbers follow once, others all. The last word is filled
+// up with zeros.
 #ifndef TERN_RECORD_DEPTH_RUNS_HPP
 #define TERN_RECORD_DEPTH_RUNS_HPP
 
@@ -20,7 +20,7 @@ constexpr std::size_t longest_run() {
   return (std::size_t{1} << (8 * sizeof(Number) - 1)) - 1;
 }
 
-/// The most words that so many numbers take. A run of equal numbers has at least three, so it saves the heads of itself
+/// The most words that `count` numbers take. A run of equal numbers has at least three, so it saves the heads of itself
 /// and of a run of others before it. The head of the last run is not saved, nor is that of a run that follows one of
 /// the greatest length.
 template <typename Number>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The envelope of a record's content: a head that says what the record is and how long, and a checksum at its end.
+// The envelope of a record's content: a head with the record's kind and length, and a checksum at the end.
 #ifndef TERN_RECORD_ENVELOPE_HPP
 #define TERN_RECORD_ENVELOPE_HPP
 
@@ -34,7 +34,7 @@ void open_envelope(RecordKind kind, WordWriter& words) noexcept;
 /// then gets the record's bytes.
 Status close_envelope(const std::uint8_t* bytes, WordWriter& words, std::size_t& used) noexcept;
 
-/// The kind that a record says it is; 0 for bytes that are no record.
+/// The kind in a record's head; 0 for bytes that are no record.
 std::uint64_t record_kind(const std::uint8_t* bytes, std::size_t count) noexcept;
 /// Checks the head and the checksum. kOk, kRecordDamaged or kRecordVersion; `configuration` gets the configuration hash
 /// in the head.

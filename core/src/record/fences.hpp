@@ -45,7 +45,8 @@ inline void write_fences(const Fence* fences, std::int32_t count, WordWriter& wo
   }
 }
 
-/// Reads what write_fences wrote, into arrays of kMaxFences and kMaxFencePlanes. The fences point into `planes`.
+/// Reads the fences that write_fences wrote, into arrays of kMaxFences and kMaxFencePlanes. The fences point into
+/// `planes`.
 inline Status read_fences(WordReader& words, Fence* fences, Halfspace* planes, std::int32_t& count) {
   Halfspace* next = planes;
   Status status = read_count(words, kMaxFences, Status::kFencesFull, count);

@@ -16,7 +16,8 @@
 
 namespace tern {
 
-/// What a call was. The first word of an event holds the kind, the call's answer and the number of words that follow.
+/// The kind of a call. The first word of an event holds the kind, the call's answer and the number of words that
+/// follow.
 enum class FlightEventKind : std::uint8_t {
   kBind = 1,
   kAssumeFree,
@@ -149,8 +150,8 @@ void list_yaw_sample(Words& words, Sample& sample) {
   words(sample.angle);
 }
 
-/// The fields that tell what was decided. What blocks the way is left out: it is for people, and another version may
-/// tell it better.
+/// The fields that hold decisions. Those of a blockage are left out: they are for people, and another version may find
+/// a better blockage to name.
 template <typename Words, typename Report>
 void list_flight_report(Words& words, Report& report) {
   words(report.mode);
@@ -171,7 +172,7 @@ void list_flight_report(Words& words, Report& report) {
   words(report.frame_age);
 }
 
-/// The hash that a tick leaves: FNV-1a, word by word, over all that it commanded and reported.
+/// The hash that a tick leaves: FNV-1a, word by word, over the command, the yaw and the report.
 class TickHash : public FieldWriter<TickHash> {
  public:
   TickHash(const Command& command, const YawSample& yaw, const FlightReport& report) {

@@ -13,7 +13,7 @@
 
 namespace tern {
 
-/// The most words that a layer of so many words takes.
+/// The most words that the runs of a layer of `layer` words take.
 std::size_t most_obstacle_words(std::size_t layer) noexcept;
 
 void write_obstacles(const Grid& grid, WordWriter& words) noexcept;

@@ -7,8 +7,8 @@
 namespace tern {
 namespace {
 
-/// At the step's end, a plane may rise above the snap at the base by this part of its rise at the durations where it
-/// was found: less time is worth some snap.
+/// At the step's end, a plane may exceed the snap at the base by this part of its excess at its own durations: less
+/// time is worth some snap.
 constexpr double kAllowedRise = 0.5;
 /// How often the weights of all planes are adjusted.
 constexpr int kSweeps = 100;

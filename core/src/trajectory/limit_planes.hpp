@@ -11,7 +11,7 @@
 namespace tern {
 
 /// Sides of the regular polygon that stands for a limit on the horizontal norm. It lies inside the circle: a direction
-/// half-way between two corners loses 1 - cos(pi / 16), 1.92 %, one at a corner nothing.
+/// half-way between two corners loses 1 - cos(pi / 16), 1.92 %. A direction at a corner loses nothing.
 constexpr int kHorizontalSides = 16;
 constexpr int kMaxLimitPlanes = 6 + kHorizontalSides;
 

@@ -9,12 +9,12 @@
 //                 (programme.hpp), the second derivatives are learned from its changes (curvature.hpp). If a step
 //                 leaves no plan or a worse one, the search goes halfway back.
 //
-// A larger weight never gives a longer plan. The search for it first finds the default weight's plan, and then goes up
-// a ladder of weights. It passes through the plan of every weight below, and from there takes only plans that cost less
-// and last no longer. Since each of them also costs less at every larger weight, more budget never gives a more
-// expensive plan.
+// A larger weight never gives a longer plan. For it, the search first finds the default weight's plan, and then goes up
+// a ladder of weights. The search passes through the plan of every weight below, and from there takes only plans that
+// cost less and last no longer. Since each of them also costs less at every larger weight, more budget never gives a
+// more expensive plan.
 //
-// If the acceleration limit is far above what the way needs, the unit of the weight is so large that snap hardly
+// If the acceleration limit is far above the need of the way, the unit of the weight is so large that snap hardly
 // counts. A search at the default weight then stops at the first limit. In this case the ladder begins at smaller
 // weights.
 //
@@ -77,7 +77,7 @@ struct Refinement {
 struct Round {
   bool better;                  ///< it gave a plan that passes all tests and improves on the best one
   bool bounded;                 ///< it was abandoned, and its bound is known
-  int iterations;               ///< that the programme took
+  int iterations;               ///< of the programme
   Offer offer;                  ///< the plan; for a bound, only the snap is set
   double prices[kMaxSegments];  ///< prices of each segment's time in the plan or bound, before the stretch
 };
@@ -117,8 +117,8 @@ constexpr int kRungCount = sizeof(kRungs) / sizeof(kRungs[0]);
 void refinement_begin(Refinement& refinement, const Chain& chain, const Question& question) noexcept;
 
 /// Chooses the offer's stretch and sets its cost. True if it improves on the best plan: it costs less and lasts no
-/// longer. If the ladder begins at rung 0, it may last longer on that rung. With offer.least 0: true if any plan of
-/// that snap or more could improve on the best plan.
+/// longer. If the ladder begins at rung 0, the plan may last longer on that rung. With offer.least 0: true if any plan
+/// of that snap or more could improve on the best plan.
 bool improves(const Refinement& refinement, Offer& offer) noexcept;
 
 /// Learns from a round and enters the next: fills the chain's durations, or sets the phase to kDone.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The corridor in the plan's own frame. A plan's coordinates are relative to its start. So their rounding, and that of
-// the derivatives, which are their differences, does not depend on where in the grid the flight lies.
+// The corridor in the plan's own frame. A plan's coordinates are relative to its start, and its derivatives are
+// differences of coordinates. So the rounding of both does not depend on the flight's place in the grid.
 #ifndef TERN_TRAJECTORY_RELATIVE_CORRIDOR_HPP
 #define TERN_TRAJECTORY_RELATIVE_CORRIDOR_HPP
 

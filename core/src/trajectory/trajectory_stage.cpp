@@ -19,7 +19,7 @@ constexpr int kPasses = 3 * kMaxQpSolves + 4;
 /// Shortest segment of a chain with vias, in parts of the mean.
 constexpr double kShortestPart = 1.0 / 16.0;
 
-/// The lower bound of a programme is examined each time after this many iterations.
+/// A programme's lower bound is examined every time after this many iterations.
 constexpr int kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The trajectory stage (the paper's Section 3.4): corridor in, Bezier trajectory of degree 7 out, continuous to jerk,
-// its control points inside the corridor, velocity and acceleration within the limits for all t. See
+// its control points inside the corridor, velocity, acceleration and jerk within the limits for all t. See
 // docs/trajectory.md.
 #ifndef TERN_TRAJECTORY_TRAJECTORY_STAGE_HPP
 #define TERN_TRAJECTORY_TRAJECTORY_STAGE_HPP
@@ -116,7 +116,7 @@ inline Operations prices_operations(const Chain& chain, const QpSolution& soluti
   return 5 * ops::kCurve * chain.count + 2 * ops::kPiece * solution.active_count;
 }
 
-/// Brakings that stop-and-go tries at an end in motion, about.
+/// About the number of brakings that stop-and-go tries at an end in motion.
 constexpr int kBrakingsTried = 256;
 
 /// Stop-and-go along `polyhedra` polyhedra: a curve each, and at ends in motion one for each braking that is tried.

@@ -26,9 +26,8 @@ Vicinity vicinity_of(const Grid& grid, const Solids& solids, double all_round) n
 /// Metres by which the hull of a solid's corners may reach further out than the solid.
 double corner_tolerance(const Vicinity& around) noexcept;
 
-/// Appends the corners of a solid whose faces are in `solids`: those of its part in the vicinity. The last solid's
-/// corners must be the last. No corners: the solid lies elsewhere. False if they do not fit, however coarsely they are
-/// found.
+/// Appends the corners of a solid's part in the vicinity. Its faces are in `solids`, and its corners begin at the end
+/// of the list. Appends none if the solid lies elsewhere. False if they do not fit, however coarsely they are found.
 bool find_corners(const Vicinity& around, Solids& solids, SolidParts& parts) noexcept;
 
 }  // namespace tern

@@ -34,8 +34,8 @@ double hull_reach(const Vec3& normal, const Hull& hull) noexcept;
 
 /// The widest gap, to within rounding. Computes at most kGapSteps supports of either hull.
 HullGap hull_gap(const Hull& first, const Hull& second) noexcept;
-/// Of a gap between hulls of eight points, in ten steps: each finds the extreme points of both, and tries all faces of
-/// a simplex.
+/// Operations of a gap between hulls of eight points, in ten steps: each finds the extreme points of both, and tries
+/// all faces of a simplex.
 constexpr Operations kGapOperations = 10 * (2 * 8 + 24) * ops::kDot;
 constexpr int kGapSteps = 48;
 

@@ -44,7 +44,7 @@ void block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, st
 void prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view, Work& work) noexcept;
 void block_solid(SolidLayer& layer, const Grid& view, std::int32_t z, Work& work) noexcept;
 
-/// Of making a plane anew within a boundary, at most.
+/// The most operations to make a plane anew within a boundary.
 Operations solid_plane_operations(const GridSpec& spec) noexcept;
 
 }  // namespace tern

@@ -14,7 +14,7 @@
 
 namespace tern {
 
-/// What fits into a world. Fences are all that brings walls and solids so far, so their capacities are its own.
+/// Capacities of a world: those of fences, because only fences bring walls and solids so far.
 constexpr int kMaxWalls = kMaxFencePlanes;
 constexpr int kMaxSolids = kMaxFences;
 constexpr int kMaxSolidFaces = kMaxFencePlanes;
@@ -72,7 +72,7 @@ struct Solids {
   std::int32_t corner_count;
   double touching;  ///< metres that a point may be too close: contact_tolerance plus the corners' tolerance
   Halfspace walls[kMaxWalls];
-  std::int32_t wall_index[kMaxWalls];  ///< of whatever brought each wall, in the request's list
+  std::int32_t wall_index[kMaxWalls];  ///< index of each wall's fence in the request's list
   SolidParts parts[kMaxSolids];
   Halfspace faces[kMaxSolidFaces];
   Vec3 corners[kMaxSolidCorners];

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is in the way of a plan: the voxels of a grid, and convex solids. Every stage asks this one type. It knows
-// geometry alone, and nothing of what a user calls a solid. Local frame, metres.
+// Everything in the way of a plan: the voxels of a grid, and convex solids. Every stage asks this one type. It knows
+// geometry alone, and not why a solid is there. Local frame, metres.
 #ifndef TERN_WORLD_WORLD_HPP
 #define TERN_WORLD_WORLD_HPP
 
@@ -15,13 +15,13 @@ namespace tern {
 
 /// A view: whoever made it owns the grid and the solids, which must not change while it is used. Cheap to copy.
 ///
-/// Walls: half-spaces that the centre stays in. Solids: what the centre keeps its clearance from, like obstacles. Both
-/// count to within touching(). Indices are those of the request's list.
+/// Walls: half-spaces that the centre stays in. Solids: bodies that the centre keeps its clearance from, as from
+/// obstacles. Both count to within touching(). Indices are those of the request's list.
 class World {
  public:
   /// A world of voxels alone.
   explicit World(const Grid& voxels) noexcept : voxels_(&voxels), solids_(nullptr) {}
-  /// The blocked layer of `voxels` already includes what walls and solids block, once it is to be searched.
+  /// Before a search, the blocked layer of `voxels` must include the voxels that walls and solids block.
   World(const Grid& voxels, const Solids& solids) noexcept : voxels_(&voxels), solids_(&solids) {}
 
   /// The obstacle layer holds marked voxels alone. The blocked layer holds everything that is in the way.

@@ -39,7 +39,7 @@ void begin_solids(WorldMemory& memory) noexcept;
 /// whole voxel. The grid must be inflated. kOk, or kWorldFull.
 Status world_prepare(WorldMemory& memory) noexcept;
 
-/// After world_prepare: blocks what walls and solids take. A piece of work is one plane of voxels of a step.
+/// After world_prepare: blocks the voxels that walls and solids take. A piece of work is one plane of voxels of a step.
 Progress world_advance(WorldMemory& memory, Work& work) noexcept;
 
 }  // namespace tern

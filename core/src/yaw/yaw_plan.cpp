@@ -25,7 +25,7 @@ Turn on_piece(const double* c, double u, double step) {
   const double rates[3] = {c[1] - c[0], c[2] - c[1], c[3] - c[2]};
   const double first = rates[1] - rates[0];
   const double second = rates[2] - rates[1];
-  // The cubic is the angle at the beginning and what the derivatives there add.
+  // The cubic is its Taylor series at the beginning of the piece.
   const double begin = c[1] + (rates[1] - rates[0]) / 6.0;
   const double begin_rate = 0.5 * (rates[0] + rates[1]);
   const double angle = begin + u * (begin_rate + u * (0.5 * first + u * (second - first) / 6.0));

@@ -11,9 +11,9 @@
 namespace tern {
 namespace {
 
-/// Of a point of the spline: a sample of the trajectory, its direction and its angle.
+/// Operations for a point of the spline: a sample of the trajectory, its direction and its angle.
 constexpr Operations kPointOperations = 4 * ops::kCurve;
-/// Of a piece of the spline in an iteration: four passes over its two limits.
+/// Operations for a piece of the spline in an iteration: four passes over its two limits.
 constexpr Operations kPieceOperations = 4 * 2 * ops::kPiece;
 static_assert(kPointOperations <= 3 * kUnit && kPieceOperations <= 2 * kUnit, "kYawWorkBound counts with these");
 
@@ -89,7 +89,7 @@ double YawPlanner::time_of(int knot) const noexcept {
   return plan_.lead + knot * plan_.step;
 }
 
-/// False if there is no direction.
+/// The direction that the mode asks for at time `t`. False if there is none.
 bool YawPlanner::wished_direction(double t, Heading& direction) noexcept {
   if (request_.mode == YawMode::kFixed) {
     direction = request_.heading;
@@ -120,8 +120,7 @@ double YawPlanner::timed_angle(double t) const noexcept {
   return last;
 }
 
-/// Sets the wish at the next knot, within half a turn of the angle that could follow the wish so far: whole turns are
-/// left out.
+/// Sets the wish at the next knot, without whole turns: within half a turn of `follower_`.
 void YawPlanner::wish_next() noexcept {
   const double t = time_of(knot_);
   double turn = 0.0;
