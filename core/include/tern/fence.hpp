@@ -24,10 +24,10 @@ enum class FenceKind : uint8_t {
 /// A fence: the convex polyhedron in which all its half-spaces intersect. World frame, metres. It may be unbounded,
 /// flat, or far from the map. If a request has several fences, all of them hold.
 ///
-/// A keep-out without any point is refused with kFenceEmpty, and so are keep-ins without a point in common: some
-/// half-space is reversed, or the corners of a polygon were gone through the wrong way round. Half-spaces that miss
-/// each other by no more than 1e-13 of the map's diagonal count as flat, not as empty. If half-spaces meet only 100 000
-/// times as far away as their planes, they count as empty: they were meant to be parallel, and rounding turned them.
+/// A keep-out without any point is refused with kFenceEmpty, and so are keep-ins without a point in common. The usual
+/// cause is a reversed half-space, or a polygon whose corners go round the wrong way. Half-spaces that miss each other
+/// by no more than 1e-13 of the map's diagonal count as flat, not as empty. If half-spaces meet only 100 000 times as
+/// far away as their planes, they count as empty: they were meant to be parallel, and rounding turned them.
 struct Fence {
   /// `count` half-spaces. The caller owns them. They are read only while a plan begins. Each normal has a length within
   /// [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale. box_planes() writes those of a box.

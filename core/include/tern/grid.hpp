@@ -29,9 +29,9 @@ struct GridSpec {
   /// Voxels along each axis, 1 .. kMaxDimension. Their product is at most kMaxCells.
   Voxel dims;
   /// Where the robot's centre may be, faces included. It must lie inside the grid; its faces need not be voxel faces. A
-  /// voxel that it cuts is blocked, but not on an axis where the boundary holds no whole voxel: a boundary with equal
-  /// lower.z and upper.z makes flights at one height. If obstacles beyond the boundary matter, make the grid wider than
-  /// the boundary by the radius, because a grid knows no obstacles outside itself.
+  /// voxel that the boundary cuts is blocked, but not on an axis on which the boundary holds no whole voxel. So a
+  /// boundary with equal lower.z and upper.z makes flights at one height. If obstacles beyond the boundary matter, make
+  /// the grid wider than the boundary by the radius, because a grid knows no obstacles outside itself.
   Box boundary;
   /// Radius of the robot's body, >= 0.
   double radius;
@@ -55,8 +55,8 @@ struct Cylinder {
 constexpr double kMinCell = 1e-6;
 constexpr double kMaxCell = 1e6;
 
-/// Number of 64-bit words that a grid of these dimensions needs: two bits a voxel (each row along x takes whole words),
-/// a header of 8 words, and about a 32nd more to know what changed. 0 if a dimension is out of range.
+/// Number of 64-bit words that a grid of these dimensions needs; 0 if a dimension is out of range. They hold two bits a
+/// voxel, a header of 8 words, and about a 32nd more to note changes. Each row along x takes whole words.
 size_t grid_words(const Voxel& dims) noexcept;
 
 /// Identifies the content of an inflated grid at one time. Equal versions mean equal voxels, but for a chance of 2^-64.

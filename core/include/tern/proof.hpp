@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds until when a trajectory is proven on a map. It is for plans that were made on an older map, or on another one:
-// a plan made on a rolling map's route grid is proven on its safe grid. docs/flight.md explains the method.
+// Finds until when a trajectory is proven on a map, for plans that were made on an older map or on another one. For
+// example, a plan on a rolling map's route grid is proven on its safe grid. docs/flight.md explains the method.
 #ifndef TERN_PROOF_HPP
 #define TERN_PROOF_HPP
 
@@ -67,7 +67,7 @@ constexpr int kProofPieces = 2048;
 /// bounds the work for a piece.
 constexpr int kProofSpan = 8;
 /// Metres by which the centre may be nearer to an obstacle than the grid's radius, or parts of a voxel if voxels are
-/// larger than a metre: a little more than the check grants a plan. Rounding of coordinates comes on top.
+/// larger than a metre. It is a little more than the check grants a plan. Rounding of coordinates comes on top.
 constexpr double kProofTolerance = 4e-9;
 /// Relative excess over a limit that counts as the limit. Rounding comes on top.
 constexpr double kProofExcess = 4e-8;

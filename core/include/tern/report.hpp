@@ -82,9 +82,8 @@ struct Report {
   /// kViaTooNarrow: the index of a fence that blocks the point's voxel, although obstacles and boundary leave it free.
   /// Else kNoFence.
   int32_t fence = kNoFence;
-  /// Why there is no plan, for a request with vias: the index in Request::vias of the via that is wrong or that the
-  /// plan could not be led to. kNoVia if the start or the way from the last via to the goal is at fault, or no single
-  /// part of the way.
+  /// If there is no plan: the index in Request::vias of the via that is wrong, or that no plan leads to. kNoVia if the
+  /// fault lies with the start, with the way from the last via to the goal, or with no single part of the way.
   int32_t via = kNoVia;
   /// How the plan passes the vias, one entry each. Entries beyond Request::via_count are zero; without a plan, all of
   /// them are. At vias with equal positions, one after the other, several may have the same time.
@@ -94,9 +93,9 @@ struct Report {
   /// segments are those of that plan, which is not given out.
   ProofReport check;
 
-  /// Only for kStartTooNarrow, kGoalTooNarrow and kViaTooNarrow, metres: the largest of half the voxel's edge, a
-  /// quarter and so on, down to 1/64, at which this point is not too narrow. The grid keeps its origin and boundary,
-  /// and its obstacles are marked again. 0 if none of them would do, or no such grid fits.
+  /// Only for kStartTooNarrow, kGoalTooNarrow and kViaTooNarrow, metres: the largest edge of a voxel at which this
+  /// point is not too narrow, of half the grid's, a quarter and so on, down to 1/64. The grid keeps its origin and
+  /// boundary, and its obstacles are marked again. 0 if none of them would do, or no such grid fits.
   double finer_cell;
 
   /// How the planner came to its answer: work, times, use of capacities.

@@ -19,8 +19,8 @@ typedef struct { int count; tern_halfspace planes[TERN_MAX_PLANES]; tern_vec3 fr
 /* clang-format on */
 #endif
 
-/* Copies the first `room` polyhedra of the last plan's corridor, in flight order, and returns how many the corridor
- * has: at most TERN_MAX_SEGMENTS, and 0 if the last plan has none. `polyhedra` may be null if room is 0. The field
+/* Copies the first `room` polyhedra of the last plan's corridor, in flight order. Returns how many the corridor has: at
+ * most TERN_MAX_SEGMENTS, and 0 if the last plan has no corridor. `polyhedra` may be null if room is 0. The field
  * `polyhedron` of a tern_segment is an index into them, or -1. Call it before the planner's next plan. */
 int32_t tern_corridor(const tern_planner* planner, tern_polyhedron* polyhedra, int32_t room);
 

@@ -11,8 +11,8 @@
 namespace tern {
 
 /// The least duration of a segment of an optimised or a stop-and-go plan, seconds. A segment of zero length gets it,
-/// and no refinement goes below it. Derivatives are differences of control points over powers of the duration, so it
-/// also bounds their rounding errors: 1e-14 m over (0.05 s)^3 is 2e-8 m/s^3 of jerk.
+/// and no refinement goes below it. It also bounds the rounding errors of derivatives, which are differences of control
+/// points over powers of the duration. 7 * 6 * 5 * 1e-14 m over (0.05 s)^3 is 2e-8 m/s^3 of jerk.
 constexpr double kMinDuration = 0.05;
 
 /// Derivatives that two segments share at a joint: position, velocity, acceleration, jerk.

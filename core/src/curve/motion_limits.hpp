@@ -25,9 +25,9 @@ constexpr double kJerkMargin = 1e-6;
 /// Relative accuracy of a peak.
 constexpr double kPeakTolerance = 1e-7;
 
-/// The factor by which a segment between states at rest must be stretched in time to meet its limits exactly: the
-/// largest over all t of the gauge of v, the root of the gauge of a and the cube root of the gauge of the jerk (see
-/// base/bounds.hpp); below 1 if the segment could be faster. Never less than the exact factor. More by at most
+/// The factor by which a segment between states at rest must be stretched in time to meet its limits exactly; below 1
+/// if the segment could be faster. It is the largest, over all t, of the gauge of v, the root of the gauge of a and the
+/// cube root of the gauge of the jerk (see base/bounds.hpp). Never less than the exact factor. More by at most
 /// kPeakTolerance, or by kJerkMargin if the jerk decides.
 double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noexcept;
 

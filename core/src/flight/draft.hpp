@@ -56,8 +56,8 @@ struct Draft {
 
   /// Seconds from the draft's beginning to its takeover.
   double start_of_proof() const noexcept;
-  /// True if it passes the next point much later than the plan in flight: right before a point, the planner may find no
-  /// way through it but to stop and come back.
+  /// True if it passes the next point much later than the plan in flight. Right before a point, the planner may find no
+  /// better way through it than to stop and come back.
   bool passes_later(const FlightFacts& flight) const noexcept;
   /// Proves that it goes on from the committed plan, without a jump at any joint, and ends at rest. The proofs of
   /// obstacles and limits look at each segment alone.

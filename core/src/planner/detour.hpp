@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The attempt that follows if a plan begins or ends too fast for the first or last polyhedron: a detour, first along
-// the motion to a point where it can stop, then from there to the path.
+// The attempt that follows if a plan begins or ends too fast for the first or last polyhedron. A detour leads along the
+// motion to a point where it can stop, then from there to the path.
 #ifndef TERN_PLANNER_DETOUR_HPP
 #define TERN_PLANNER_DETOUR_HPP
 

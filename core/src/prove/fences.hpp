@@ -63,9 +63,9 @@ struct Apart {
   double distance;
 };
 
-/// True only if fence `index`, a keep-out of any shape, however thin or pointed, is cut off from the hull by the
-/// distance, along the normal of a hint or of one of its own faces. Only the part of it within the radius of the
-/// boundary and of all keep-ins counts.
+/// True only if fence `index`, a keep-out, is cut off from the hull by the distance, along the normal of a hint or of
+/// one of its own faces. The keep-out may have any shape, however thin or pointed. Only the part of it within the
+/// radius of the boundary and of all keep-ins counts.
 bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int index, const Hints& hints,
                       const Apart& hull, FenceScratch& scratch) noexcept;
 

@@ -12,9 +12,9 @@
 namespace tern {
 
 /// Metres, or parts of a voxel if voxels are larger than a metre. By this much a plan may lie outside the boundary or a
-/// keep-in, and by twice as much it may be nearer than the radius: a control point may be outside a half-space of the
-/// corridor, and the half-space too near. A start or a goal may be that much nearer than the radius, and a plan begins
-/// and ends there.
+/// keep-in. It may be nearer than the radius by twice as much, because a control point may be outside a half-space of
+/// the corridor, and the half-space too near. A start or a goal may be that much nearer than the radius, and a plan
+/// begins and ends there.
 constexpr double kCheckDistance = 1e-9;
 
 /// kCheckDistance in metres, of this grid.
@@ -50,9 +50,9 @@ constexpr double kOriginUlps = 2.0;
 /// The corridor knows the corners of a keep-out to 1e-13 of the map's extent.
 constexpr double kCornerUlps = 512.0;
 
-/// Metres by which a plan may lie beyond the face of the boundary at that world coordinate: check_distance, the
-/// movement of a face that is put on the lattice (kLatticeTolerance of a voxel, and a start or goal on the face moves
-/// with it), and the rounding of coordinates on that axis. A request's start may lie at least as far beyond the face.
+/// Metres by which a plan may lie beyond the face of the boundary at that world coordinate. They are check_distance,
+/// the movement of a face that is put on the lattice (kLatticeTolerance of a voxel), and the rounding of coordinates on
+/// that axis. A start or goal on a face moves with the face. A request's start may lie at least as far beyond the face.
 double face_grant(const Grid& grid, double face) noexcept;
 constexpr double kFaceRoundingUlps = 4.0;
 

@@ -13,8 +13,8 @@
 
 namespace tern {
 
-/// Shortens the first and the last segment until they keep the polyhedra and the limits as far as they follow from the
-/// boundary states alone: in half of their control points, and in those of the hodographs there. Likewise shortens
+/// At an end, half of the control points follow from the boundary state alone, and so do those of the hodographs there.
+/// Shortens the first and the last segment until these points keep the polyhedra and the limits. Likewise shortens
 /// segments that meet at a via with a velocity. No segment becomes shorter than kMinDuration. No effect on ends at
 /// rest. Returns how many durations it tried.
 int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept;

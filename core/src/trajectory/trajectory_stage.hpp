@@ -1,9 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The trajectory stage (the paper's Section 3.4): corridor in, Bezier trajectory of degree 7 out, continuous to jerk,
-// its control points inside the corridor, velocity, acceleration and jerk within the limits for all t. See
-// docs/trajectory.md.
+// The trajectory stage (the paper's Section 3.4): corridor in, Bezier trajectory of degree 7 out. It is continuous to
+// jerk, its control points are inside the corridor, and it keeps the limits for all t. See docs/trajectory.md.
 #ifndef TERN_TRAJECTORY_TRAJECTORY_STAGE_HPP
 #define TERN_TRAJECTORY_TRAJECTORY_STAGE_HPP
 
@@ -86,9 +85,9 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
 void trajectory_stop(TrajectoryStage& stage) noexcept;
 
 /// A piece of work is an iteration of a quadratic programme, its assembly, or its judgement. kDone with count and
-/// segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory or kSegmentsFull with `out` untouched,
-/// only from a moving start, to a moving goal or past a via with a velocity. Segments name their polyhedron; there may
-/// be more segments than polyhedra.
+/// segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory or kSegmentsFull, with `out`
+/// untouched. That happens only from a moving start, to a moving goal or past a via with a velocity. Segments name
+/// their polyhedron; there may be more segments than polyhedra.
 Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
 
 /// A duration tried for a segment at an end: its curve and three derivatives, against half-spaces and limits.

@@ -41,9 +41,10 @@ class World {
   /// The index of the first wall or solid that the segment breaks (equal ends make a point). Walls are tested first.
   /// kNoSolid if it breaks none.
   std::int32_t first_broken(const Vec3& from, const Vec3& to) const noexcept;
-  /// The index of the first wall or solid that the closed cube of a voxel breaks: a wall that does not contain the
-  /// whole cube, or a solid for which the cube is not beyond any face, or side along an axis, by the clearance.
-  /// kNoSolid if it breaks none: then the blocked layer leaves a voxel with this cube free (world/solid_layer.hpp).
+  /// The index of the first wall or solid that the closed cube of a voxel breaks. The cube breaks a wall that does not
+  /// contain all of the cube. It breaks a solid unless it lies, by the clearance, beyond a face of the solid, or beyond
+  /// the solid along an axis. kNoSolid if it breaks none: then the blocked layer leaves a voxel with this cube free
+  /// (world/solid_layer.hpp).
   std::int32_t first_over(const Box& cube) const noexcept;
 
   /// True if the segment, or the cube, breaks no wall and no solid.
