@@ -117,7 +117,7 @@ constexpr int32_t kMaxMissionPoints = kMaxVias + 1;
 /// What happens if a point of a mission, other than the goal, cannot be reached.
 enum class ViaPolicy : uint8_t {
   kEnd = 0,  ///< the mission ends: the vehicle comes to rest and says why
-  kSkip,     ///< it goes on to the next point
+  kSkip,     ///< the vehicle goes on to the next point
 };
 
 /// What became of a point of a mission.

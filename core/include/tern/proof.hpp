@@ -114,7 +114,7 @@ class Proof {
   /// One piece of a curve of degree 7 or less.
   struct Piece {
     Vec3 c[kControlPoints];
-    double begin;  // of the segment's parameter, 0 .. 1
+    double begin;  // the segment's parameter at the piece's beginning, 0 .. 1
     int depth;
   };
   enum Part : int { kPosition, kVelocity, kAcceleration, kJerk };
@@ -162,7 +162,7 @@ class Proof {
   const Fence* fences_ = nullptr;
   int32_t fence_count_ = 0;
   int segment_ = 0;
-  double begin_ = 0.0;  // of the segment
+  double begin_ = 0.0;  // when the segment begins, seconds since the trajectory's beginning
   double first_ = 0.0;  // the segment's parameter where its proof begins
   double lost_ = 1.0;   // the segment's parameter where its proof ends
   int part_ = kPosition;

@@ -41,9 +41,9 @@ struct Commitment : Destination {
   Passage passage[kMaxMissionPoints];  ///< when `planned` passes its points, in order
   std::int32_t passages;
   bool evades;     ///< a brake that was made for a threat, proven or not
-  bool hemmed_in;  ///< it begins at rest at `departed`, with something within the radius
+  bool hemmed_in;  ///< the plan begins at rest at `departed`, with something within the radius
   Vec3 departed;   ///< world frame
-  bool looks_out;  ///< it leads to a place from where `hidden` may be seen
+  bool looks_out;  ///< the plan leads to a place from where `hidden` may be seen
   Vec3 hidden;     ///< world frame
 
   /// The takeover, which the planner's request fixed. Nanoseconds since the flight's start, as all times of a flight.

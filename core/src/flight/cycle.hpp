@@ -43,7 +43,7 @@ enum class Job : std::uint8_t {
 /// The next question to the planner after it found no plan.
 enum class NextPlan : std::uint8_t {
   kAsked,    ///< the planner is asked for another plan next
-  kNone,     ///< there is nothing else to ask for
+  kNone,     ///< nothing: there is nothing else to ask for
   kNearest,  ///< nothing: something was seen at the target, and the vehicle is as near to it as it gets
   kCutOff,   ///< nothing: no way leads to the target, and the vehicle rests as near to it as a way leads
 };

@@ -29,9 +29,9 @@ constexpr int kWandering = 1500;
 /// What follows if a point cannot be reached.
 enum class LeftOut : std::uint8_t {
   kNothing,  ///< the mission goes on as it is
-  kSkipped,  ///< it goes on without the point
-  kLeg,      ///< it goes on to another next point
-  kEnded,    ///< it ended
+  kSkipped,  ///< the mission goes on without the point
+  kLeg,      ///< the mission goes on to another next point
+  kEnded,    ///< the mission ended
 };
 
 struct Itinerary {

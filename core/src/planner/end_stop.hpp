@@ -24,7 +24,7 @@ struct EndStop {
   int count;          ///< segments; 0 if there is no motion yet
   bool is_tried;      ///< the choice before `next_choice` is being tried
   Stopping stopping;  ///< the current choice
-  Vec3 place;         ///< where the motion ends (for a goal: begins), relative to the plan's origin
+  Vec3 place;         ///< the end of the motion (for a goal: its beginning), relative to the plan's origin
   Segment segments[kMaxSegments];
 };
 
