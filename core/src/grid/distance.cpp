@@ -13,7 +13,7 @@ namespace {
 /// The most crossings of a segment with the planes of a box's faces.
 constexpr int kMaxCrossings = 6;
 
-/// Values of t in ascending order: the crossings with the planes of faces, and room for 0 and 1.
+/// Values of t in ascending order: the crossings with the planes of faces. There is room for 0 and 1, too.
 struct Breaks {
   int count;
   double t[kMaxCrossings + 2];

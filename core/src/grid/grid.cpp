@@ -145,7 +145,7 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   if (verdict.status != Status::kOk) return verdict.status;
   const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
-  // Inflation takes such a radius as 0. It is stored as 0, so that all stages do.
+  // Inflation takes a radius within the tolerance as 0. It is stored as 0, so that all stages do.
   if (spec.clearance() <= kClearTolerance) spec_.radius = spec_.tracking_margin = 0.0;
   local_boundary_ = boundary_in_grid(spec_);
   row_words_ = words_for(spec.dims.x);
