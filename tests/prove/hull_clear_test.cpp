@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/math.hpp"
 #include "support/grid_storage.hpp"
 
 namespace {
@@ -87,6 +88,29 @@ TEST(HullClear, RunsBesideThePlaceThatIsLeftKeepTheirDistance) {
     EXPECT_TRUE(found.x >= x && found.x < x + 3) << found.x;
     EXPECT_TRUE(room.clear(kPlace, {0.1 * x, 2.99, 2.05}, leaving, found));
   }
+}
+
+/// A short line may touch an edge or a corner where no distance is asked for, but not go further into the cube than is
+/// granted.
+TEST(HullClear, ShortLinesMayTouchAnEdge) {
+  Room room;
+  ASSERT_EQ(room.grid.mark_voxel({30, 30, 20}), Status::kOk);
+  const Clearance touching{-2e-9, nullptr, 0.0, {}};
+  const Vec3 corner{3.0, 3.0, 2.1};
+  const Vec3 on_edge{3.0, 3.04, 2.1};
+  const Vec3 inwards{1.0, 0.0, -1.0};
+  Voxel found{};
+  const auto clear = [&](const Vec3& at, const Vec3& along) {
+    return room.clear(at - 1e-5 * along, at + 1e-5 * along, touching, found);
+  };
+  for (const Vec3& along : {Vec3{0.4, 0.0, 0.4}, Vec3{0.4, 0.13, 0.4}, Vec3{-0.3, 0.2, -0.7}}) {
+    EXPECT_TRUE(clear(on_edge, along));
+    EXPECT_TRUE(clear(on_edge + 1e-9 * inwards, along));
+    EXPECT_FALSE(clear(on_edge + 1e-8 * inwards, along));
+  }
+  EXPECT_TRUE(clear(corner, {0.4, -0.8, 0.2}));
+  EXPECT_FALSE(clear(on_edge, {0.4, 0.0, -0.4}));
+  EXPECT_EQ(found.x, 30);
 }
 
 /// Nothing is nearer than a voxel around the place itself: leaving it, any way is as good.
