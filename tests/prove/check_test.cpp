@@ -59,6 +59,11 @@ TEST_F(CheckTest, RoomOfACurveThatNoCorridorWasMadeFor) {
   EXPECT_EQ(stage_.found.finding, Finding::kObstacle);
   trajectory_->segments[0] = straight({0.5, 1.2, 1.0}, {3.0, 1.2, 1.0}, 0.1, tern::kNoPolyhedron);
   EXPECT_TRUE(has_room(1e-9));
+  const double beyond = 2.0 + tern::face_grant(grid_, 2.0) - 0.5e-9;
+  trajectory_->segments[0] = straight({0.5, beyond, 1.0}, {3.0, beyond, 1.0}, 0.1, tern::kNoPolyhedron);
+  EXPECT_TRUE(has_room(0.0));
+  EXPECT_FALSE(has_room(1e-9));
+  EXPECT_EQ(stage_.found.finding, Finding::kOutside);
 }
 
 /// Past the edge of the wall, y = 1, whose x is 2.0 to 2.1.

@@ -54,8 +54,8 @@ struct CheckStage {
 void check_begin(CheckStage& stage) noexcept;
 
 /// Proves that a curve has room: it keeps clear of obstacles and fences as a plan with this curve must, and of
-/// obstacles and keep-outs by `spare` metres more. Nothing else is proven. kDone, or kFailed with the reason in
-/// `stage`. `world` may be null.
+/// obstacles, keep-outs and what is outside the boundary by `spare` metres more. Nothing else is proven. kDone, or
+/// kFailed with the reason in `stage`. `world` may be null.
 Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& part, const AskedWorld* world,
                       double spare, Work& work) noexcept;
 

@@ -88,6 +88,7 @@ void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Lim
   hints_ = &hints;
   Grant grant = grant_to_plan(grid, trajectory);
   grant.near -= spare;
+  grant.boundary = grown(grant.boundary, -spare);
   take_grant(grid, grant, Beyond::kEmpty);
   has_limits_ = limits != nullptr;
   if (has_limits_) limits_ = *limits;
