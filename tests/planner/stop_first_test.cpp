@@ -166,7 +166,7 @@ class EndStopTry : public testing::Test {
     stop_->next_choice = 0;
     stop_->count = -1;
   }
-  tern::RoomProof room() { return {world_.grid, nullptr, *stage_, *curve_}; }
+  tern::RoomProof room() { return {world_.grid, nullptr, *stage_, *curve_, tern::World(world_.grid)}; }
   bool arrive(const tern::State& start, const tern::State& goal, int choice = 0) {
     tern::Work all{0xFFFFFFFFu};
     stop_->is_tried = false;

@@ -6,6 +6,7 @@
 #include "base/capacity.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
+#include "planner/hints.hpp"
 #include "prove/grants.hpp"
 
 namespace tern {
@@ -55,8 +56,7 @@ bool begin_trial(const RoomProof& room, EndStop& stop) {
 
 /// A stop keeps a check_distance more than the check asks for, because the plan goes on from its end.
 Progress advance_trial(const RoomProof& room, EndStop& stop, Work& work) {
-  const Progress progress =
-      room_advance(room.stage, room.grid, room.curve, room.world, check_distance(room.grid), work);
+  const Progress progress = prove_room(room, check_distance(room.grid), work);
   if (progress == Progress::kMore) return progress;
   stop.is_tried = false;
   stop.count = progress == Progress::kDone ? room.curve.count : 0;
@@ -65,6 +65,12 @@ Progress advance_trial(const RoomProof& room, EndStop& stop, Work& work) {
 }
 
 }  // namespace
+
+Progress prove_room(const RoomProof& room, double spare, Work& work) noexcept {
+  const Progress hinted = hints_advance(room.around, nullptr, room.curve, room.stage.hints, work);
+  if (hinted != Progress::kDone) return hinted;
+  return room_advance(room.stage, room.grid, room.curve, room.world, spare, work);
+}
 
 Progress stop_advance(const RoomProof& room, const State& state, bool to_goal, const MotionLimits& limits,
                       EndStop& stop, Work& work) noexcept {

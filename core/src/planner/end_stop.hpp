@@ -15,6 +15,7 @@
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -40,10 +41,14 @@ struct RoomProof {
   const AskedWorld* world;  ///< the request's fences; null: none
   CheckStage& stage;
   Trajectory& curve;  ///< the curve that is proven; its origin is the plan's
+  World around;       ///< the planner's view of the world, for hints
 };
 
+/// Proves that room.curve has room, as room_advance, with hints for it.
+Progress prove_room(const RoomProof& room, double spare, Work& work) noexcept;
+
 /// Tries the next choice for `state` (relative to the plan's origin), the goal's if `to_goal`. One piece of work makes
-/// the stop; the others are those of room_advance. kDone: the stop has room and is filled in. kFailed: it has no room.
+/// the stop; the others are those of prove_room. kDone: the stop has room and is filled in. kFailed: it has no room.
 Progress stop_advance(const RoomProof& room, const State& state, bool to_goal, const MotionLimits& limits,
                       EndStop& stop, Work& work) noexcept;
 

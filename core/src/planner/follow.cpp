@@ -36,7 +36,7 @@ Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& p
     if (!work.left()) return Progress::kMore;
     work.spend(ops::kCurve * previous.count);
   } else {
-    const Progress progress = room_advance(room.stage, room.grid, room.curve, room.world, 0.0, work);
+    const Progress progress = prove_room(room, 0.0, work);
     if (progress != Progress::kDone) return progress;
     lead.count = previous.count;
     for (int i = 0; i < previous.count; ++i) lead.segments[i] = previous.segments[i];

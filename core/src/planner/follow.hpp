@@ -38,7 +38,7 @@ void follow_begin(const RoomProof& room, Follow& follow, Previous& previous) noe
 
 /// A piece of work takes a remainder that meets the goal: it is the whole plan, in room.curve, and the check will prove
 /// it. Any other is to be the start's stop, `lead`. It must have room, because the way goes on where it ends; the
-/// pieces are those of room_advance. kDone, or kFailed: it has no room.
+/// pieces are those of prove_room. kDone, or kFailed: it has no room.
 Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& previous, EndStop& lead,
                         Work& work) noexcept;
 

@@ -3,6 +3,7 @@
 #include "planner/pipeline.hpp"
 
 #include "base/capacity.hpp"
+#include "planner/hints.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
 
@@ -26,7 +27,7 @@ const AskedWorld* asked_world(const Layout& memory) {
 }
 
 RoomProof room_of(const Problem& problem, Layout& memory) {
-  return {*problem.grid, asked_world(memory), memory.stage.check, memory.trajectory};
+  return {*problem.grid, asked_world(memory), memory.stage.check, memory.trajectory, world_of(memory.world)};
 }
 
 /// The plan that sets the pace, if the chain begins on it.
@@ -44,6 +45,15 @@ CheckQuery check_query(const Problem& problem, const Follow& follow, const Layou
   query.joints = memory.vias.joint;
   query.via_count = problem.via_count;
   return query;
+}
+
+/// The check of the whole plan, with hints for it.
+Progress prove_plan(const Problem& problem, const Follow& follow, Layout& memory, Work& work) {
+  CheckStage& stage = memory.stage.check;
+  const Progress hinted = hints_advance(world_of(memory.world), &memory.corridor, memory.trajectory, stage.hints, work);
+  if (hinted != Progress::kDone) return hinted;
+  return check_advance(stage, *problem.grid, memory.corridor, memory.trajectory, check_query(problem, follow, memory),
+                       work);
 }
 
 }  // namespace
@@ -181,8 +191,7 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kTrajectory:
       return curves_advance(m.stage.trajectory, curves_, m.trajectory, work);
     case Stage::kCheck:
-      return check_advance(m.stage.check, *problem_.grid, m.corridor, m.trajectory,
-                           check_query(problem_, attempts_.follow, m), work);
+      return prove_plan(problem_, attempts_.follow, m, work);
     case Stage::kDetour:
       return detour_advance(problem_, m.path, work);
     case Stage::kPrevious:

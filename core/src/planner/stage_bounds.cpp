@@ -7,6 +7,7 @@
 #include "path/shortcut_stage.hpp"
 #include "planner/detour.hpp"
 #include "planner/end_stop.hpp"
+#include "planner/hints.hpp"
 #include "planner/ledger.hpp"
 #include "planner/previous.hpp"
 #include "prove/check_stage.hpp"
@@ -87,9 +88,14 @@ StageBound corridor_bound(const GridSpec& spec) {
   return {kCorridorTries * kBoxLevels * pieces, room_piece(spec)};
 }
 
+/// The operations of the longest piece of a proof, or of finding hints for it.
+Operations proof_piece(const GridSpec& spec) {
+  return most(check_piece_operations(spec), kHintOperations);
+}
+
 /// The bound of proofs that `segments` segments have room.
 StageBound room_bound(const GridSpec& spec, std::uint64_t segments) {
-  return {segments * (kProofPieces + 2), check_piece_operations(spec) + kStopOperations};
+  return {segments * (kProofPieces + 2 + kMaxSolids), proof_piece(spec) + kStopOperations};
 }
 
 /// A segment may look at all pieces of the plan that sets the pace.
@@ -133,7 +139,7 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
     case Stage::kTrajectory:
       return trajectory_bound();
     case Stage::kCheck:
-      return {kCheckBound, check_piece_operations(spec)};
+      return {kCheckBound + kHintBound, proof_piece(spec)};
     case Stage::kDetour:
       return detour_bound(spec);
     case Stage::kPrevious:

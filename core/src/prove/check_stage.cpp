@@ -71,6 +71,7 @@ void check_begin(CheckStage& stage) noexcept {
   stage.phase = CheckPhase::kBegin;
   stage.next = 0;
   stage.found = ProofReport{};
+  stage.hints.hinted = stage.hints.solid = 0;
 }
 
 Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& part, const AskedWorld* world,

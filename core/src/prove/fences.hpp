@@ -50,9 +50,18 @@ struct FenceScratch {
   Solid<double> quick;  ///< the same, rounded
 };
 
+/// Normals along which keep-outs may be cut off from a segment. The offsets do not matter.
+struct FenceHints {
+  std::int32_t count;
+  Halfspace planes[kMaxPlanes];
+};
+
 /// The planner's hints for the proof of its plan, and memory to use them. The proof does not depend on them.
 struct PlanHints {
-  const Corridor* corridor;  ///< may be null, empty, or wrong
+  const Corridor* corridor;         ///< may be null, empty, or wrong
+  std::int32_t hinted;              ///< the number of segments, from the first on, that have hints for fences
+  std::int32_t solid;               ///< the planner's next solid for the segment behind them
+  FenceHints fences[kMaxSegments];  ///< the hints besides the corridor's
   FenceScratch scratch;
 };
 
@@ -73,9 +82,9 @@ bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int inde
 Operations fence_operations(const Fence& fence) noexcept;
 /// Operations of one call of keep_out_cut_off: the part may have a corner for each triple of planes.
 constexpr Operations kKeepOutOperations = 150 * ops::kPiece;
-/// Operations of both calls for kMaxFences fences.
+/// Operations of both calls for kMaxFences fences: keep_out_cut_off may be called with the hints of both kinds.
 constexpr Operations kAskedOperations =
-    kMaxFences * (kKeepOutOperations + ops::kPiece +
+    kMaxFences * (2 * kKeepOutOperations + ops::kPiece +
                   16 * ops::kDot * (kMaxFencePlanes + Operations{kMaxFencePlanes} * kMaxFencePlanes / 2));
 
 }  // namespace tern

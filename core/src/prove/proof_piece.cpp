@@ -49,7 +49,7 @@ Excess outside_by(const Box& box, const Vec3& point) {
 
 }  // namespace
 
-/// The hints for the current segment.
+/// The hints that the corridor gives the current segment.
 Hints Proof::hints() const noexcept {
   if (hints_ == nullptr || hints_->corridor == nullptr) return {nullptr, 0};
   const Corridor& corridor = *hints_->corridor;
@@ -83,19 +83,26 @@ bool Proof::keeps_fences(const Piece& piece) noexcept {
   for (int32_t k = 0; k < fence_count_; ++k) {
     work_->spend(fence_operations(fences_[k]));
     if (fence_clear(fences_[k], rule, piece.c, kControlPoints)) continue;
-    if (piece.depth == 0 && is_cut_off(k, piece)) continue;
+    if (is_cut_off(k, piece)) continue;
     report_.fence = k;
     return false;
   }
   return true;
 }
 
-/// True if the fence is a keep-out that is cut off along a hint.
+/// True if the fence is a keep-out that is cut off along a hint. A whole segment is looked at even without hints.
 bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
   if (hints_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
-  work_->spend(kKeepOutOperations);
-  return keep_out_cut_off(*grid_, fences_, fence_count_, fence, hints(), {piece.c, kControlPoints, distance_},
-                          hints_->scratch);
+  const Apart hull{piece.c, kControlPoints, distance_};
+  const auto cuts_off = [&](const Hints& known) {
+    work_->spend(kKeepOutOperations);
+    return keep_out_cut_off(*grid_, fences_, fence_count_, fence, known, hull, hints_->scratch);
+  };
+  const Hints of_corridor = hints();
+  if ((piece.depth == 0 || of_corridor.count > 0) && cuts_off(of_corridor)) return true;
+  if (segment_ >= hints_->hinted) return false;
+  const FenceHints& own = hints_->fences[segment_];
+  return own.count > 0 && cuts_off({own.planes, own.count});
 }
 
 /// What the limits allow the current part.
