@@ -60,6 +60,7 @@ class FlownWorld {
   static constexpr std::int64_t kTick = 10000000;
 
   tern_host::Setpoint setpoint_at(double t) const;
+  void step();
   template <typename Message>
   void publish(const ros::Publisher& publisher, const Message& message);
   void publish_clock();
