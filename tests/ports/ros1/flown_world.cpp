@@ -235,7 +235,15 @@ void FlownWorld::on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& mes
   // Before the flight somebody else holds the vehicle, and setpoints are where it is.
   if (told_.empty() || told_ == "no pose" || told_ == "ready") return;
   setpoint_time_ = 1e-9 * static_cast<double>(setpoint_stamp_ - begin_);
-  setpoint_.sample = {{p.x - jumped_.x, p.y - jumped_.y, p.z - jumped_.z}, {v.x, v.y, v.z}, {a.x, a.y, a.z}, {}, {}};
+  // After a jump of the estimate, setpoints are in its old frame until the node knows. A vehicle with inertia hardly
+  // moves in that time.
+  const tern::Vec3& before = setpoint_.sample.position;
+  const auto step = [&](const tern::Vec3& jump) {
+    return std::hypot(p.x - jump.x - before.x, std::hypot(p.y - jump.y - before.y, p.z - jump.z - before.z));
+  };
+  if (step(jumped_) < step(known_jump_)) known_jump_ = jumped_;
+  const tern::Vec3& jump = known_jump_;
+  setpoint_.sample = {{p.x - jump.x, p.y - jump.y, p.z - jump.z}, {v.x, v.y, v.z}, {a.x, a.y, a.z}, {}, {}};
   const double yaw = 2.0 * std::atan2(q.z, q.w);
   setpoint_.yaw += std::remainder(yaw - setpoint_.yaw, 2.0 * std::acos(-1.0));
   setpoint_.yaw_rate = point.velocities[0].angular.z;

@@ -84,7 +84,7 @@ class FlownWorld {
   std::int64_t begin_ = 10000000000, now_ = begin_;
   std::int64_t frames_ = 0;
   double rested_ = 0.0;
-  tern::Vec3 jumped_{};
+  tern::Vec3 jumped_{}, known_jump_{};  // of the estimate, and what of it the setpoints know
   Flown flown_;
   std::string told_;
   nav_msgs::Odometry earlier_;                 // the last one
