@@ -79,7 +79,7 @@ class Bench {
              double previous_time = 0.0) {
     const tern_host::PlanResult result = session_.plan(scenario, previous, previous_time);
     if (!result.ok()) return 0.0;
-    const double seconds = tern::duration(result.trajectory);
+    const double seconds = tern::duration(result.trajectory) - result.report.entered;
     const double snap = tern::snap_cost(result.trajectory);
     csv_ << scenario.name << ',' << scenario.limits.v_max.x << ',' << scenario.limits.a_max.x << ','
          << scenario.time_weight << ',' << seconds << ',' << snap << ','

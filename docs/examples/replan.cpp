@@ -52,7 +52,7 @@ void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::
       continue;                                                                       // fly on along this plan
     }
     plan = next;
-    t = 0.0;
+    t = report.entered;  // 0, or as before if the old plan goes on
   }
 }
 

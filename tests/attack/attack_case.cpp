@@ -100,11 +100,12 @@ Status ask_once(Context& context, tern::Planner& planner, const World& world, co
     print_ask(world, ask);
   }
   if (status == Status::kOk) {
-    check_plan(context.rng, world, ask.request, out, context.findings);
+    check_plan(context.rng, world, ask.request, out, answer.entered, context.findings);
     check_vias(world, ask.request, out, answer, context.findings);
   } else if (!spoiled(out)) {
     report(context.findings, "touched", "%s: the output changed with %s", what, tern::status_name(status));
   }
+  context.bench.entered = answer.entered;
   judge(context, world, map, ask, answer, status, what);
   return status;
 }
@@ -168,7 +169,7 @@ void go_near(Context& context, tern::Planner& planner, const World& world, const
   if (answer.has_reachable) check_reachable(world, map, ask, answer, context.findings);
   tern::Request near = ask.request;
   if (answer.goal_missed != Status::kOk) near.goal = {answer.reachable, {}, {}, {}};
-  if (status == Status::kOk) return check_plan(context.rng, world, near, out, context.findings);
+  if (status == Status::kOk) return check_plan(context.rng, world, near, out, 0.0, context.findings);
   const bool lost = status == Status::kNoPath || status == Status::kCorridorBlocked || status == Status::kCheckFailed ||
                     status == Status::kNoTrajectory;
   const tern::Voxel home = world.grid.voxel_of(world.grid.to_local(ask.request.start.position));

@@ -29,6 +29,7 @@ struct Bench {
   tern::Workspace kept_memory;
   tern::Workspace fresh_memory;
   tern::Trajectory trajectory;
+  double entered = 0.0;  ///< when the plan enters it, seconds since its beginning
   tern::Trajectory second;
   tern::Trajectory untouched;
   /// Where not null: obstacles that are not among these runs are left out of a case's first world.
@@ -57,7 +58,7 @@ void run_case(Bench& bench, std::uint64_t seed, std::uint64_t number, bool verbo
 void thin_out(const Bench& bench, World& world);
 /// The grid's two layers against the record and the reference (contract C5).
 void check_layers(const World& world, const Map& map, Findings& findings);
-/// Asks in one call and judges the answer; the plan, where there is one, is in bench.trajectory.
+/// Asks in one call and judges the answer; the plan, where there is one, is in bench.trajectory from bench.entered on.
 tern::Status ask_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
                       const char* what);
 /// Judges a status and its report by what the request and the map promise.

@@ -128,14 +128,14 @@ bool well_formed(const tern::Trajectory& trajectory) {
 }  // namespace
 
 void check_plan(Rng& rng, const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
-                Findings& findings) {
+                double entered, Findings& findings) {
   if (!well_formed(trajectory)) return report(findings, "malformed", "%d segments", trajectory.count);
   check_obstacles(world, trajectory, findings);
   check_boundary(world, trajectory, findings);
   check_fences(world, request, trajectory, findings);
   check_limits(request, trajectory, findings);
   check_joints(trajectory, findings);
-  check_ends(world, request, trajectory, findings);
+  check_ends(world, request, trajectory, entered, findings);
   check_evaluate(rng, world, trajectory, 6, findings);
 }
 

@@ -46,7 +46,8 @@ void check_fences(const World& world, const tern::Request& request, const tern::
                   Findings& findings);
 void check_limits(const tern::Request& request, const tern::Trajectory& trajectory, Findings& findings);
 void check_joints(const tern::Trajectory& trajectory, Findings& findings);
-void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
+/// `entered`: when the plan enters the trajectory, seconds since its beginning.
+void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory, double entered,
                 Findings& findings);
 /// The plan passes the vias when the report says, in order, as near as asked, and at rest or with the velocity asked
 /// for.
@@ -55,9 +56,10 @@ void check_vias(const World& world, const tern::Request& request, const tern::Tr
 /// evaluate() and duration() against the control points, at `samples` times from `rng`.
 void check_evaluate(Rng& rng, const World& world, const tern::Trajectory& trajectory, int samples, Findings& findings);
 
-/// All of the above; nothing but the first where the trajectory is malformed.
+/// All of the above; nothing but the first where the trajectory is malformed. The world, the fences and the limits are
+/// those that the trajectory was made for, so they hold for all of it, wherever the plan enters it.
 void check_plan(Rng& rng, const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
-                Findings& findings);
+                double entered, Findings& findings);
 
 }  // namespace tern_attack
 

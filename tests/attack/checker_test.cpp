@@ -53,7 +53,7 @@ class Checker : public testing::Test {
   std::vector<std::string> kinds() {
     Rng rng(1);
     Findings findings;
-    check_plan(rng, world, request, plan, findings);
+    check_plan(rng, world, request, plan, 0.0, findings);
     std::vector<std::string> names;
     for (const Finding& f : findings) names.push_back(f.kind);
     return names;

@@ -107,7 +107,7 @@ void ask_fenced(Context& context, tern::Planner& planner, const World& thin, con
     print_ask(whole, fenced);
   }
   if (found == Status::kOk) {
-    check_plan(context.rng, whole, fenced.request, out, context.findings);
+    check_plan(context.rng, whole, fenced.request, out, 0.0, context.findings);
     check_vias(whole, fenced.request, out, answer, context.findings);
   } else if (!spoiled(out)) {
     report(context.findings, "touched", "keep-in: the output changed with %s", tern::status_name(found));

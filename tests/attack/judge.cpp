@@ -101,6 +101,9 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
     report(f, "report", "%s: %s spent %" PRIu64 " of %" PRIu64, what, tern::stage_name(static_cast<tern::Stage>(k)),
            r.diagnostics.stages[k].work, r.diagnostics.stages[k].bound);
   }
+  if (r.entered != (r.quality == tern::Quality::kPrevious ? ask.request.previous_time : 0.0)) {
+    report(f, "report", "%s: entered at %.17g", what, r.entered);
+  }
   const bool occupied = is_occupied(status) || is_narrow(status);
   if (r.has_nearest_free && !occupied)
     report(f, "report", "%s: a nearest free voxel for %s", what, tern::status_name(status));

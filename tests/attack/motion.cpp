@@ -112,16 +112,18 @@ void check_joints(const tern::Trajectory& trajectory, Findings& findings) {
 
 namespace {
 
-void check_end(const World& world, const tern::State& state, const tern::Segment& segment, Real u, const Point& origin,
-               const Point& other_jerk, const char* kind, Findings& findings) {
+void check_end(const World& world, const tern::State& state, const tern::Segment& segment, double u,
+               const Point& origin, const Point& other_jerk, const char* kind, Findings& findings) {
   const Jet end = jet(segment, u);
   const Point asked[] = {point(state.position) - origin, point(state.velocity), point(state.acceleration)};
   // World coordinates have the rounding of their own size; a point on the boundary's face may be moved onto it.
   const Real own = 4 * kUlp * largest(point(state.position)) + 4 * kUlp * largest(point(world.spec.origin));
   const Real face = 1e-9L * world.spec.cell;
+  // Within a segment, the position that is asked for was rounded by evaluate().
+  const Real place = own + face + (u > 0.0 && u < 1.0 ? 8 * rounding(segment, 0) : 0);
   for (int k = 0; k < 3; ++k) {
     const Real gap = largest(end.d[k] - asked[k]);
-    const Real slack = slack_of(segment, k) + (k == 0 ? own + face : 0);
+    const Real slack = slack_of(segment, k) + (k == 0 ? place : 0);
     if (gap > slack) return report(findings, kind, "%s by %.6Lg, allowed %.6Lg", kOrders[k], gap, slack);
   }
   const Real jerk = std::min(largest(end.d[3] - point(state.jerk)), largest(end.d[3] - other_jerk));
@@ -130,13 +132,18 @@ void check_end(const World& world, const tern::State& state, const tern::Segment
 
 }  // namespace
 
-void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
+void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory, double entered,
                 Findings& findings) {
+  double begin = 0.0;
+  int first = 0;
+  while (first + 1 < trajectory.count && entered >= begin + trajectory.segments[first].duration)
+    begin += trajectory.segments[first++].duration;
+  const double u = std::min(1.0, (entered - begin) / trajectory.segments[first].duration);
   const Point origin = point(trajectory.origin);
   // A plan begins with the jerk that was asked for, or goes on with that of the previous one.
   const bool goes_on = request.previous != nullptr;
   const tern::Vec3 other = goes_on ? tern::evaluate(*request.previous, request.previous_time).jerk : request.start.jerk;
-  check_end(world, request.start, trajectory.segments[0], 0, origin, point(other), "start_state", findings);
+  check_end(world, request.start, trajectory.segments[first], u, origin, point(other), "start_state", findings);
   check_end(world, request.goal, trajectory.segments[trajectory.count - 1], 1, origin, point(request.goal.jerk),
             "goal_state", findings);
 }

@@ -58,7 +58,7 @@
   FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
   FIELD(tern_report, status) FIELD(tern_report, stage) FIELD(tern_report, field) FIELD(tern_report, raw_occupied)    \
   FIELD(tern_report, has_nearest_free) FIELD(tern_report, quality)                  \
-  FIELD(tern_report, optimiser) FIELD(tern_report, nearest_free)                                                     \
+  FIELD(tern_report, optimiser) FIELD(tern_report, entered) FIELD(tern_report, nearest_free)                         \
   FIELD(tern_report, fence) FIELD(tern_report, check) FIELD(tern_report, finer_cell)                                 \
   FIELD(tern_report, has_reachable) FIELD(tern_report, goal_missed) FIELD(tern_report, reachable)                    \
   FIELD(tern_report, diagnostics) FIELD(tern_diagnostics, stages) FIELD(tern_diagnostics, timing_known)              \

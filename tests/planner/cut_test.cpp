@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the rest of a previous plan is cut: where the time since its beginning rounds, and in the later tries.
+// What is taken of a previous plan: all of it if it ends as the goal asks, else segments made anew.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -37,22 +37,17 @@ Trajectory straight_on(const std::vector<double>& durations) {
 class CutPlan : public testing::Test {
  protected:
   CutPlan() : world_({80, 40, 20}, 0.1, 0.2) {}
-  /// Cuts at `time`, with the goal so far from the plan's end, and its motion there.
-  void cut(const Trajectory& plan, double time, double beside = 0.0) {
+  /// Takes what is left at `time`. The goal is so far from the plan's end; its speed is so much more than that there.
+  void cut(const Trajectory& plan, double time, double beside = 0.0, double faster = 0.0) {
     plan_ = plan;
     tern::Request& request = world_.request;
     const tern::Sample now = evaluate(plan_, time);
     request.start = {now.position, now.velocity, now.acceleration, now.jerk};
     request.previous = &plan_;
     request.previous_time = time;
-    request.goal = {{kOrigin.x + duration(plan_), kOrigin.y + beside, kOrigin.z}, {1.0, 0.5, 0.0}, {}};
+    request.goal = {{kOrigin.x + duration(plan_), kOrigin.y + beside, kOrigin.z}, {1.0 + faster, 0.0, 0.0}, {}};
     ASSERT_TRUE(previous_fits(request));
-    tern::cut_previous(world_.grid, request, *rest_);
-  }
-  /// Along y, where the last segment ends.
-  double end_speed() const {
-    const tern::Segment& last = rest_->segments[rest_->count - 1];
-    return (last.points[7].y - last.points[6].y) * 7.0 / last.duration;
+    tern::take_rest(world_.grid, request, *rest_);
   }
 
   World world_;
@@ -68,32 +63,41 @@ TEST_F(CutPlan, SegmentIsOverWhereTheTimeLeftRoundsToNone) {
   const double time = 1.5 + kUlp;
   ASSERT_LT(time, first + 1.25);
   ASSERT_EQ(time - first, 1.25);
-  cut(straight_on({first, 1.25, 0.5}), time);
+  cut(straight_on({first, 1.25, 0.5}), time, 0.5);
   ASSERT_EQ(rest_->count, 1);
   EXPECT_EQ(rest_->segments[0].duration, 0.5);
+  EXPECT_FALSE(rest_->meets_goal);
+  // Nothing follows: nothing is left, however near the goal is.
+  cut(straight_on({first, 1.25}), time);
+  EXPECT_FALSE(rest_->meets_goal);
+}
+
+/// Where the plan ends as the goal asks, nothing is made anew. The position and each derivative count.
+TEST_F(CutPlan, MeetsTheGoalInItsMotionAlone) {
+  cut(straight_on({1.0, 1.0}), 0.5);
   EXPECT_TRUE(rest_->meets_goal);
-}
-
-/// Half of the last segment is left: a rest that meets the goal ends with the motion that is asked for there, and one
-/// that does not ends with its own.
-TEST_F(CutPlan, LastSegmentEndsAsAskedAtTheGoalAlone) {
-  for (const double beside : {0.0, 0.5}) {
-    cut(straight_on({1.0, 1.0}), 1.5, beside);
-    EXPECT_EQ(rest_->meets_goal, beside == 0.0);
-    ASSERT_EQ(rest_->count, 1);
-    EXPECT_EQ(rest_->segments[0].duration, 0.5);
-    EXPECT_NEAR(rest_->segments[0].points[7].x, 0.5, 1e-12);
-    EXPECT_NEAR(end_speed(), beside == 0.0 ? 0.5 : 0.0, 1e-12);
+  EXPECT_EQ(rest_->count, 0);
+  for (const double off : {1e-6, 0.5}) {
+    cut(straight_on({1.0, 1.0}), 0.5, off);
+    EXPECT_FALSE(rest_->meets_goal);
+    EXPECT_EQ(rest_->count, 2);
+    cut(straight_on({1.0, 1.0}), 0.5, 0.0, off);
+    EXPECT_FALSE(rest_->meets_goal);
+    EXPECT_EQ(rest_->count, 2);
   }
+  cut(straight_on({1.0, 1.0}), 2.0);
+  EXPECT_FALSE(rest_->meets_goal);
 }
 
-/// The same where another segment follows.
-TEST_F(CutPlan, SegmentsAfterwardsEndAsAskedAtTheGoalAlone) {
-  for (const double beside : {0.0, 0.5}) {
-    cut(straight_on({1.0, 1.0}), 0.5, beside);
-    ASSERT_EQ(rest_->count, 2);
-    EXPECT_NEAR(rest_->segments[1].points[7].x, 1.5, 1e-12);
-    EXPECT_NEAR(end_speed(), beside == 0.0 ? 0.5 : 0.0, 1e-12);
+/// Half of the last segment is left, then one and a half.
+TEST_F(CutPlan, EndsElsewhereInItsOwnMotion) {
+  for (const double time : {1.5, 0.5}) {
+    cut(straight_on({1.0, 1.0}), time, 0.5);
+    ASSERT_EQ(rest_->count, time > 1.0 ? 1 : 2);
+    EXPECT_EQ(rest_->segments[0].duration, 0.5);
+    const tern::Segment& last = rest_->segments[rest_->count - 1];
+    EXPECT_NEAR(last.points[7].x, 2.0 - time, 1e-12);
+    EXPECT_NEAR((last.points[7].x - last.points[6].x) * 7.0 / last.duration, 1.0, 1e-12);
   }
 }
 
@@ -101,7 +105,7 @@ TEST_F(CutPlan, SegmentsAfterwardsEndAsAskedAtTheGoalAlone) {
 /// left is as good as over.
 TEST_F(CutPlan, ShortRemaindersStayOfTheFirstSegmentAlone) {
   constexpr double kLeft = 0x1p-11;
-  cut(straight_on({1.0, 1.0, 0.5}), 1.0 - kLeft);
+  cut(straight_on({1.0, 1.0, 0.5}), 1.0 - kLeft, 0.5);
   ASSERT_EQ(rest_->count, 3);
   EXPECT_EQ(rest_->segments[0].duration, kLeft);
   EXPECT_EQ(rest_->segments[1].duration, 1.0);
@@ -109,7 +113,7 @@ TEST_F(CutPlan, ShortRemaindersStayOfTheFirstSegmentAlone) {
   EXPECT_EQ(rest_->segments[0].points[0].x, 0.0);
   EXPECT_NEAR(rest_->segments[0].points[7].x, kLeft, 1e-12);
   EXPECT_NEAR(rest_->segments[1].points[7].x, kLeft + 1.0, 1e-12);
-  cut(straight_on({1.0}), 1.0 - kLeft);
+  cut(straight_on({1.0}), 1.0 - kLeft, 0.5);
   EXPECT_EQ(rest_->count, 0);
 }
 

@@ -44,17 +44,18 @@ class PreviousPlan : public testing::Test {
     EXPECT_EQ(world_.replan(), status);
     EXPECT_EQ(world_.report.field, Field::kPrevious);
   }
+  /// The answer is the first plan from that time on: it has the same bits, but for the polyhedra.
   void expect_same_flight(double time) {
-    const double left = duration(first_) - time;
-    EXPECT_NEAR(duration(world_.trajectory), left, 1e-12);
-    for (int k = 0; k <= 1000; ++k) {
-      const double dt = left * k / 1000.0;
-      const Sample now = evaluate(world_.trajectory, dt);
-      const Sample before = evaluate(first_, time + dt);
-      ASSERT_LE(tern::distance(now.position, before.position), 1e-12) << dt;
-      ASSERT_LE(tern::distance(now.velocity, before.velocity), 1e-10) << dt;
-      ASSERT_LE(tern::distance(now.acceleration, before.acceleration), 1e-8) << dt;
-      ASSERT_LE(tern::distance(now.jerk, before.jerk), 1e-6) << dt;
+    EXPECT_EQ(world_.report.quality, Quality::kPrevious);
+    EXPECT_EQ(world_.report.entered, time);
+    const tern::Trajectory& rest = world_.trajectory;
+    EXPECT_EQ(rest.begin, first_.begin);
+    EXPECT_TRUE(same(rest.origin, first_.origin));
+    ASSERT_EQ(rest.count, first_.count);
+    for (int i = 0; i < rest.count; ++i) {
+      EXPECT_EQ(rest.segments[i].polyhedron, tern::kNoPolyhedron);
+      EXPECT_EQ(rest.segments[i].duration, first_.segments[i].duration);
+      EXPECT_EQ(std::memcmp(rest.segments[i].points, first_.segments[i].points, sizeof rest.segments[i].points), 0);
     }
   }
 
@@ -67,7 +68,6 @@ TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
     const double time = part * duration(first_);
     ask_from(time);
     ASSERT_EQ(world_.replan(), Status::kOk) << part;
-    EXPECT_EQ(world_.report.quality, Quality::kPrevious);
     EXPECT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kFollow));
     EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
     for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
@@ -80,7 +80,6 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   world_.request.budget.search = 0xFFFFFFFFu;
   world_.request.time_weight = tern::kMinTimeWeight;  // a new plan takes its time
   ASSERT_EQ(world_.replan(), Status::kOk);
-  EXPECT_EQ(world_.report.quality, Quality::kPrevious);
   EXPECT_EQ(world_.report.optimiser, Status::kOk);
   EXPECT_EQ(world_.planner.corridor(), nullptr);
   EXPECT_EQ(world_.trajectory.segments[0].polyhedron, tern::kNoPolyhedron);
@@ -90,6 +89,7 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
+  EXPECT_EQ(world_.report.entered, 0.0);
   EXPECT_LT(duration(world_.trajectory), 0.6 * duration(first_) - 1e-6);
 }
 
@@ -148,38 +148,74 @@ TEST_F(PreviousPlan, LeadsToNoOtherGoalThatIsOccupied) {
 }
 
 TEST_F(PreviousPlan, MayBeTheOutput) {
-  const double time = 0.4 * duration(first_);
-  ask_from(time);
+  ask_from(0.4 * duration(first_));
   world_.request.previous = &world_.trajectory;
   ASSERT_EQ(plan_over(), Status::kOk);
-  expect_same_flight(time);
+  expect_same_flight(0.4 * duration(first_));
 }
 
 TEST_F(PreviousPlan, IsFollowedAgainAndAgain) {
-  double time = 0.0;
   const double step = duration(first_) / 40.0;
   ask_from(step);
   for (int k = 0; k < 38; ++k) {
     ASSERT_EQ(plan_over(), Status::kOk) << k;
-    time += step;
-    const tern::Trajectory last = world_.trajectory;
-    const Sample now = evaluate(last, step);
+    expect_same_flight(world_.request.previous_time);
+    const double time = world_.report.entered + step;
+    const Sample now = evaluate(world_.trajectory, time);
     world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
     world_.request.previous = &world_.trajectory;
-    world_.request.previous_time = step;
+    world_.request.previous_time = time;
   }
-  EXPECT_NEAR(duration(world_.trajectory), duration(first_) - time, 1e-9);
 }
 
 TEST_F(PreviousPlan, LeadsIntoAMotionToo) {
   world_.request.goal.velocity = {0.5, 0.0, 0.0};
   ASSERT_EQ(world_.replan(), Status::kOk);
   first_ = world_.trajectory;
-  const double time = 0.5 * duration(first_);
+  ask_from(0.5 * duration(first_));
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  expect_same_flight(0.5 * duration(first_));
+}
+
+TEST_F(PreviousPlan, IsLedOnFromWhereTheGoalMovesInstead) {
+  ask_from(0.5 * duration(first_));
+  world_.request.budget.search = 0xFFFFFFFFu;
+  world_.request.goal.velocity = {0.0, 0.5, 0.0};
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_NE(world_.report.quality, Quality::kPrevious);
+  EXPECT_EQ(world_.report.entered, 0.0);
+  const tern::Segment& last = world_.trajectory.segments[world_.trajectory.count - 1];
+  EXPECT_NEAR((last.points[7].y - last.points[6].y) * 7.0 / last.duration, 0.5, 1e-9);
+}
+
+TEST_F(PreviousPlan, KeepsItsClock) {
+  first_.begin = 5000000000;
+  const std::int64_t now = first_.begin + static_cast<std::int64_t>(0.4e9 * duration(first_));
+  ask_from(tern::time_on(first_, now));
+  world_.request.begin = now;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  expect_same_flight(world_.request.previous_time);
+  EXPECT_EQ(tern::time_on(world_.trajectory, now), world_.report.entered);
+  // A new plan has the request's.
+  world_.request.budget.search = 0xFFFFFFFFu;
+  world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  ASSERT_EQ(world_.report.quality, Quality::kOptimised);
+  EXPECT_EQ(world_.trajectory.begin, now);
+  EXPECT_TRUE(same(world_.trajectory.origin, world_.request.start.position));
+}
+
+/// Only what is still to be flown is proven.
+TEST_F(PreviousPlan, IsFollowedPastWhatIsBlockedBehindIt) {
+  const double time = 0.7 * duration(first_);
+  const tern::Vec3 behind = evaluate(first_, 0.3 * duration(first_)).position;
+  world_.block(behind - tern::Vec3{0.1, 0.1, 0.1}, behind + tern::Vec3{0.1, 0.1, 0.1});
+  world_.grid.inflate();
   ask_from(time);
   ASSERT_EQ(world_.replan(), Status::kOk);
-  const tern::Segment& last = world_.trajectory.segments[world_.trajectory.count - 1];
-  EXPECT_NEAR((last.points[7].x - last.points[6].x) * 7.0 / last.duration, 0.5, 1e-9);
+  expect_same_flight(time);
+  ask_from(0.05 * duration(first_));
+  EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
 }
 
 TEST_F(PreviousPlan, ProvesNothingWhereTheMapChanged) {
@@ -202,11 +238,14 @@ TEST_F(PreviousPlan, ProvesNothingOutsideANewFence) {
   EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
 }
 
-TEST_F(PreviousPlan, IsFollowedRightBeforeAJoint) {
-  for (const double before : {1.1e-3, 0.9e-3, 1e-6}) {
-    ask_from(first_.segments[0].duration - before);
-    ASSERT_EQ(world_.replan(), Status::kOk) << before;
-    EXPECT_NEAR(duration(world_.trajectory), duration(first_) - world_.request.previous_time, 1e-9);
+TEST_F(PreviousPlan, IsFollowedUntilNothingIsLeft) {
+  for (const double before : {1.1e-3, 0.9e-3, 1e-6, 1e-12, 0.0}) {
+    for (const double end : {first_.segments[0].duration, duration(first_)}) {
+      const double time = end - before;
+      ask_from(time);
+      ASSERT_EQ(world_.replan(), Status::kOk) << before;
+      if (time < duration(first_)) expect_same_flight(time);
+    }
   }
 }
 

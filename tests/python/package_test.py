@@ -68,9 +68,17 @@ class Plans(unittest.TestCase):
     def test_replan_continues_to_the_last_bit(self):
         second = self.planner.replan(self.grid, self.plan, 1.25, (9, 2, 1), LIMITS)
         self.assertTrue(second)
+        self.assertEqual(second.report.entered, 0.0)
         old, new = self.plan.evaluate(1.25), second.trajectory.evaluate(0.0)
         np.testing.assert_allclose(new.position, old.position, atol=1e-12)
         np.testing.assert_allclose(new.jerk, old.jerk, atol=1e-6)
+
+    def test_rest_is_the_previous_plan(self):
+        rest = self.planner.replan(self.grid, self.plan, 1.25, (9, 1, 1), LIMITS, time_weight=0.001)
+        self.assertEqual((rest.report.quality, rest.report.entered), ("previous plan", 1.25))
+        np.testing.assert_array_equal(rest.trajectory.control_points, self.plan.control_points)
+        again = self.planner.replan(self.grid, rest.trajectory, 2.5, (9, 1, 1), LIMITS, time_weight=0.001)
+        np.testing.assert_array_equal(again.trajectory.evaluate(3.0).jerk, self.plan.evaluate(3.0).jerk)
 
     def test_corridor_in_the_world(self):
         for origin in ((0.0, 0.0, 0.0), (100.0, -50.0, 3.0)):

@@ -94,11 +94,11 @@ class Proof {
   /// not check them again, which takes a look at each corner that three half-spaces may have.
   Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                         Beyond beyond, const ProofGrounds& grounds = {}) noexcept;
-  /// The planner's check of a plan or of a part of one, with the planner's hints. The curve must keep off obstacles,
-  /// keep-outs and what is outside the boundary by `spare` metres more than a plan has to. `limits` and `world` may be
-  /// null. AskedWorld and PlanHints are types of the library's own, so no one else can call this.
-  void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits* limits, const AskedWorld* world,
-                  double spare, PlanHints& hints) noexcept;
+  /// The planner's check of a plan or of a part of one, with the planner's hints. `from` as in begin(). The curve must
+  /// keep off obstacles, keep-outs and what is outside the boundary by `spare` metres more than a plan has to. `limits`
+  /// and `world` may be null. AskedWorld and PlanHints are types of the library's own, so no one else can call this.
+  void begin_plan(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                  const AskedWorld* world, double spare, PlanHints& hints) noexcept;
   /// Goes on as long as work is left. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if
   /// no proof was begun.
   ///

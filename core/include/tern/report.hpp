@@ -29,7 +29,7 @@ enum class Quality : uint8_t {
   kStopAndGo,
   /// The optimiser's plan: minimum snap, traded against duration.
   kOptimised,
-  /// The rest of Request::previous, which leads to the goal.
+  /// The rest of Request::previous, which leads to the goal: that plan itself, from Report::entered on.
   kPrevious,
 };
 
@@ -69,6 +69,10 @@ struct Report {
   /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced, kNoPath, kNodesFull or
   /// kOpenFull. kOk if it was to end at the goal, and always with GoalMode::kExact.
   Status goal_missed;
+  /// The time on the trajectory at which the plan begins, seconds since the trajectory's beginning: `start` of the
+  /// request is evaluate(trajectory, entered). Request::previous_time for Quality::kPrevious, else 0. What of the
+  /// trajectory lies before is not checked.
+  double entered = 0.0;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start, goal or via. Valid if
   /// has_nearest_free is true; zero otherwise.
   Vec3 nearest_free;

@@ -112,7 +112,7 @@ struct Request {
   State goal{};
   Limits limits{};
   Budget budget{};
-  /// When the plan begins: nanoseconds of a clock of yours. The plan carries it as Trajectory::begin. No decision
+  /// When the plan begins: nanoseconds of a clock of yours. A new plan carries it as Trajectory::begin. No decision
   /// depends on it, and any number is accepted.
   int64_t begin = 0;
   SearchMode search = SearchMode::kFast;
@@ -132,9 +132,10 @@ struct Request {
 
   /// For replanning in flight: the plan that you are flying, or null. If the planner finds no plan, or none that
   /// arrives more than a microsecond earlier, it follows the rest of this one, provided that this is still free on the
-  /// grid. So no new plan to the same goal arrives later than the rest. If the goal is a different one and there is no
-  /// plan, it plans on to the goal from the end of the rest. Diagnostics::detours is 3 for such a plan. The planner
-  /// tries to stop first only if that fails, too.
+  /// grid. The answer is then this plan itself, bit for bit, with Quality::kPrevious and previous_time as
+  /// Report::entered; only its segments lose their polyhedra. So no new plan to the same goal arrives later than the
+  /// rest. If the goal or its motion is a different one and there is no plan, it plans on to the goal from the end of
+  /// the rest. Diagnostics::detours is 3 for both. The planner tries to stop first only if that fails, too.
   ///
   /// The previous plan also saves work: if a new plan leads nearly the same way, the optimiser begins at the durations
   /// of this one.
@@ -143,8 +144,9 @@ struct Request {
   /// kInvalidArgument, field kPrevious.
   ///
   /// On an unchanged map with the same limits and fences, a plan is always found under four conditions: `previous` was
-  /// kOk; at least a millisecond is left of it, or of its current segment if it leads more than a kilometre away; the
-  /// goal is the same, or can be reached from the previous one; and budget and capacities suffice.
+  /// kOk; something is left of it; the goal is the same, or can be reached from the previous one; and budget and
+  /// capacities suffice. To a different goal, at least a millisecond must be left, also of the current segment if
+  /// `previous` leads more than a kilometre away.
   ///
   /// It may be the object that the new plan is written to: that object changes only when the new plan is kOk.
   const Trajectory* previous = nullptr;

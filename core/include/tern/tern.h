@@ -160,6 +160,7 @@ typedef struct {
   /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. Goal_missed:
    * why the plan ends at `reachable` instead of the goal; 0 if it does not. */
   uint8_t quality, optimiser, goal_missed;
+  double entered;              /* s: the plan begins at this time on the trajectory; 0 but for a previous plan */
   tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
   tern_vec3 reachable;         /* world frame: the point nearest to the goal that a path leads to */
   int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */

@@ -28,7 +28,7 @@ struct Segment {
   /// begins at the first one, ends at the last one, and lies in their convex hull.
   Vec3 points[kControlPoints];
   /// Index of the polyhedron of the corridor that holds all the control points; kNoPolyhedron for a stop, an arrival or
-  /// the rest of a previous plan, which no corridor was made for.
+  /// a previous plan, which no corridor was made for.
   int polyhedron;
 };
 
@@ -49,13 +49,13 @@ struct Sample {
 /// the same trajectory and that time: evaluate(), clear_until(), Proof and Request::previous take both, so nothing is
 /// cut, and nothing is rounded.
 struct Trajectory {
-  /// When the trajectory begins: nanoseconds of a clock of yours, which may show any number. A plan has that of its
-  /// request (Request::begin), 0 if you set none.
+  /// When the trajectory begins: nanoseconds of a clock of yours, which may show any number. A new plan has that of its
+  /// request (Request::begin), 0 if you set none. A previous plan that is followed keeps its own.
   int64_t begin = 0;
   /// Segments in use, 1 .. kMaxSegments in a plan.
   int count;
-  /// The point that the control points are relative to, world frame, metres. A plan's origin is its start position, so
-  /// the control points keep their precision far from the world's origin.
+  /// The point that the control points are relative to, world frame, metres. A plan's origin is the start position that
+  /// it was made for, so the control points keep their precision far from the world's origin.
   Vec3 origin;
   Segment segments[kMaxSegments];
 };

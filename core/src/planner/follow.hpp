@@ -4,6 +4,9 @@
 // The attempt to follow the previous plan. Its remainder is proven on the current map before the search for a new plan,
 // so that a remainder that does not hold costs little. A new plan must arrive earlier than a remainder that leads to
 // the goal. If the remainder is to be followed, it is proven once more, because the new plan took its memory.
+//
+// A remainder that leads to the goal is a plan by itself: the previous one, from the requested start on. Any other is
+// what a new plan begins with.
 #ifndef TERN_PLANNER_FOLLOW_HPP
 #define TERN_PLANNER_FOLLOW_HPP
 
@@ -21,7 +24,7 @@ namespace tern {
 
 struct Follow {
   bool is_trial;           ///< the remainder is tried before a new plan is looked for
-  bool leads_plan;         ///< the current plan begins with the remainder
+  bool leads_plan;         ///< the current plan begins with the remainder, and leads on from its end
   bool proven;             ///< the remainder was tried, and is proven
   double proven_duration;  ///< of that remainder, s
 };
@@ -42,16 +45,12 @@ void follow_begin(const RoomProof& room, Follow& follow, Previous& previous) noe
 Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& previous, EndStop& lead,
                         Work& work) noexcept;
 
-/// Notes the result of a trial: whether the check passed the remainder, which is then in `trajectory`.
-void follow_note_trial(bool proven, const Trajectory& trajectory, Follow& follow) noexcept;
+/// Notes the result of a trial: whether the check passed the remainder.
+void follow_note_trial(bool proven, const Problem& problem, const Previous& previous, Follow& follow) noexcept;
 
-/// True if the plan is to follow the remainder that was proven, because `trajectory` does not arrive earlier.
-bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory) noexcept;
-
-/// The jerk with which the plan begins.
-inline const Vec3& start_jerk(const Problem& problem, const Follow& follow, const Previous& previous) noexcept {
-  return follow.leads_plan ? previous.jerk : problem.asked.start.jerk;
-}
+/// True if the plan is to follow the remainder that was proven, because `trajectory`, a new plan, does not arrive
+/// earlier.
+bool prefers_remainder(const Follow& follow, const Trajectory& trajectory) noexcept;
 
 }  // namespace tern
 

@@ -25,8 +25,7 @@ std::int32_t via_at_fault(Stage stage, const Legs& legs, const Rooms& rooms) {
 
 }  // namespace
 
-/// Resets what belongs to one goal. The plan's frame has its origin in the start, in world coordinates as they were
-/// given.
+/// Resets what belongs to one goal.
 void Pipeline::begin_goal() noexcept {
   Layout& memory = *memory_;
   results_ = {};
@@ -38,7 +37,8 @@ void Pipeline::begin_goal() noexcept {
   attempts_.follow.is_trial = attempts_.follow.leads_plan = false;
   take_ends(problem_, memory.ends);
   for (EndStop& stop : memory.stops) reset(stop);
-  cut_previous(*problem_.grid, problem_.asked, memory.previous);
+  begin_trajectory(problem_, memory.trajectory);
+  take_rest(*problem_.grid, problem_.asked, memory.previous);
 }
 
 /// Enters the first stage for a goal: the trial of the remainder if it leads there, else the search.
@@ -137,7 +137,7 @@ void Pipeline::go_on_from_check(bool done) noexcept {
     const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
     return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
   }
-  if (!prefers_remainder(attempts_.follow, memory.previous, memory.trajectory)) {
+  if (follows() || !prefers_remainder(attempts_.follow, memory.trajectory)) {
     end(Stage::kCheck, Status::kOk);
     return;
   }
@@ -181,8 +181,7 @@ void Pipeline::go_on_from_nearest(bool done) noexcept {
 
 /// Ends the trial of the remainder. The plan begins as if nothing had been tried.
 void Pipeline::end_trial(bool proven) noexcept {
-  const Layout& memory = *memory_;
-  follow_note_trial(proven, memory.trajectory, attempts_.follow);
+  follow_note_trial(proven, problem_, memory_->previous, attempts_.follow);
   begin_goal();
   begin_way();
 }

@@ -37,10 +37,12 @@ Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory)
   return {&plan, problem.pace_from, plan.origin - problem.asked.start.position};
 }
 
-CheckQuery check_query(const Problem& problem, const Follow& follow, const Layout& memory) {
+/// `entered`: when the plan enters the trajectory. `goes_on`: it continues the previous plan, with the jerk of that
+/// one.
+CheckQuery check_query(const Problem& problem, const Layout& memory, double entered, bool goes_on) {
   const Request& asked = problem.asked;
-  CheckQuery query{asked.start, asked.goal, asked.limits, asked_world(memory)};
-  query.start.jerk = start_jerk(problem, follow, memory.previous);
+  CheckQuery query{asked.start, asked.goal, asked.limits, entered, asked_world(memory)};
+  if (goes_on) query.start.jerk = memory.previous.jerk;
   query.vias = problem.vias;
   query.joints = memory.vias.joint;
   query.via_count = problem.via_count;
@@ -48,12 +50,11 @@ CheckQuery check_query(const Problem& problem, const Follow& follow, const Layou
 }
 
 /// The check of the whole plan, with hints for it.
-Progress prove_plan(const Problem& problem, const Follow& follow, Layout& memory, Work& work) {
+Progress prove_plan(const Problem& problem, const CheckQuery& query, Layout& memory, Work& work) {
   CheckStage& stage = memory.stage.check;
   const Progress hinted = hints_advance(world_of(memory.world), &memory.corridor, memory.trajectory, stage.hints, work);
   if (hinted != Progress::kDone) return hinted;
-  return check_advance(stage, *problem.grid, memory.corridor, memory.trajectory, check_query(problem, follow, memory),
-                       work);
+  return check_advance(stage, *problem.grid, memory.corridor, memory.trajectory, query, work);
 }
 
 }  // namespace
@@ -109,8 +110,6 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   problem_.pace_from = mode.pace != nullptr ? mode.pace_time : request.previous_time;
   problem_.given_at_rest = rests(problem_);
   begin_goal();
-  memory.trajectory.begin = request.begin;
-  memory.trajectory.origin = request.start.position;
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
   fault_ = read_world(request, memory.ends, problem_, memory.world, memory.asked, begun_);
@@ -161,10 +160,9 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kDetour:
       return detour_begin(failure_.status, attempts_.detour);
     case Stage::kPrevious:
-      m.trajectory.origin = problem_.asked.start.position;
       return follow_begin(room_of(problem_, m), attempts_.follow, m.previous);
     case Stage::kStopFirst:
-      m.trajectory.origin = problem_.asked.start.position;
+      begin_trajectory(problem_, m.trajectory);
       return stop_first_begin(problem_, attempts_.stop_first, m.stops);
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
@@ -191,7 +189,8 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kTrajectory:
       return curves_advance(m.stage.trajectory, curves_, m.trajectory, work);
     case Stage::kCheck:
-      return prove_plan(problem_, attempts_.follow, m, work);
+      return prove_plan(problem_, check_query(problem_, m, entered(), follows() || attempts_.follow.leads_plan), m,
+                        work);
     case Stage::kDetour:
       return detour_advance(problem_, m.path, work);
     case Stage::kPrevious:

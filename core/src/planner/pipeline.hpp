@@ -84,6 +84,11 @@ class Pipeline {
   void fail(Stage stage, Status status) noexcept;
   void give_up() noexcept;
 
+  /// The trajectory in memory is the previous plan.
+  bool follows() const noexcept { return quality_ == Quality::kPrevious; }
+  /// When the plan enters the trajectory in memory, s since its beginning.
+  double entered() const noexcept { return follows() ? problem_.asked.previous_time : 0.0; }
+
   Layout* memory_;
   bool route_only_ = false;
   Problem problem_{};

@@ -29,11 +29,6 @@ JointState state_at(const Segment& segment, double u) {
   return state;
 }
 
-/// The state at the end of the plan, with the requested motion of the goal.
-JointState as_asked(const State& goal, const JointState& end) {
-  return {{end.d[0], goal.velocity, goal.acceleration, goal.jerk}};
-}
-
 /// The segment that is flown at `time`; `time` becomes the time since its beginning. plan.count if the plan is over.
 int segment_at(const Trajectory& plan, double& time) {
   double begin = 0.0;
@@ -64,7 +59,6 @@ Cut cut_at(const Trajectory& plan, double time) {
   cut.segment = segment_at(plan, flown);
   if (cut.segment == plan.count) return cut;
   cut.left = plan.segments[cut.segment].duration - flown;
-  if (cut.left < kLeastRest && cut.segment + 1 == plan.count) cut.segment = plan.count;
   return cut;
 }
 
@@ -92,16 +86,28 @@ JointState joint_behind(const Trajectory& plan, int segment) {
   return longer_follows ? state_at(plan.segments[segment + 1], 0.0) : state_at(plan.segments[segment], 1.0);
 }
 
+/// True if the plan ends at the goal, in the goal's motion: the control points that hold both are where the goal puts
+/// them, as near as a start or a goal may touch something.
+bool ends_at(const State& goal, const Trajectory& plan, double tolerance) {
+  const Segment& last = plan.segments[plan.count - 1];
+  const JointState asked{{goal.position - plan.origin, goal.velocity, goal.acceleration, goal.jerk}};
+  Vec3 points[kControlPoints];
+  control_points(asked, asked, last.duration, points);
+  for (int k = kControlPoints - kJointOrder; k < kControlPoints; ++k) {
+    if (!(distance(points[k], last.points[k]) <= tolerance)) return false;
+  }
+  return true;
+}
+
 /// Appends what is left of the plan, from the requested start, which is its origin. Each segment is placed by how far
-/// it moves, so that its rounding does not depend on where in the plan it lies. If the last one ends at the goal, it
-/// has the requested motion of the goal there.
-void append_moves(const Cut& cut, const State& goal, Previous& rest) {
+/// it moves, so that its rounding does not depend on where in the plan it lies.
+void append_moves(const Cut& cut, Previous& rest) {
   const Trajectory& plan = rest.plan;
+  if (cut.segment + 1 == plan.count && cut.left < kLeastRest) return;
   JointState from{{kZero, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
   for (int i = cut.segment; i < plan.count; ++i) {
     const double left = i == cut.segment ? cut.left : plan.segments[i].duration;
     JointState to = joint_behind(plan, i);
-    if (i + 1 == plan.count && rest.meets_goal) to = as_asked(goal, to);
     to.d[0] = from.d[0] + last_move(plan.segments[i], left);
     append(from, to, left, rest);
     from = to;
@@ -126,7 +132,7 @@ bool previous_fits(const Request& request) noexcept {
          same(state.velocity, request.start.velocity) && same(state.acceleration, request.start.acceleration);
 }
 
-void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept {
+void take_rest(const Grid& grid, const Request& request, Previous& rest) noexcept {
   rest.count = 0;
   rest.tried = rest.meets_goal = false;
   if (request.previous == nullptr) return;
@@ -134,9 +140,9 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   const Trajectory& plan = rest.plan;
   const Cut cut = cut_at(plan, request.previous_time);
   rest.jerk = cut.now.jerk;
-  const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
-  rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
-  if (cut.segment < plan.count) append_moves(cut, request.goal, rest);
+  if (cut.segment == plan.count) return;
+  rest.meets_goal = ends_at(request.goal, plan, contact_tolerance(grid.spec()));
+  if (!rest.meets_goal) append_moves(cut, rest);
 }
 
 }  // namespace tern

@@ -13,6 +13,7 @@
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
+#include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
 #include "world/world_memory.hpp"
@@ -61,6 +62,12 @@ inline World world_of(const Problem& problem) noexcept {
 /// The world's voxels, which the stages search: the caller's grid, or a copy in which walls and solids are blocked.
 inline const Grid& voxels_of(const Problem& problem) noexcept {
   return world_of(problem).voxels();
+}
+
+/// The clock and the frame of a new plan. Its origin is the start, in world coordinates as they were given.
+inline void begin_trajectory(const Problem& problem, Trajectory& trajectory) noexcept {
+  trajectory.begin = problem.asked.begin;
+  trajectory.origin = problem.asked.start.position;
 }
 
 /// The requested start (0) or goal (1), relative to the plan's origin.

@@ -46,6 +46,7 @@ void Pipeline::write(Report& report) const noexcept {
   report.fence = fault_.fence;
   if (status_ != Status::kOk) write_failure(failure_, status_, report);
   if (planned) report.quality = quality_;
+  if (planned) report.entered = entered();
   if (planned) write_passages(problem_, memory_->vias, memory_->trajectory, report.vias);
   report.optimiser = optimiser_;
   if (status_ == Status::kCheckFailed || optimiser_ == Status::kCheckFailed) report.check = refused_;

@@ -27,17 +27,34 @@ inline void cut(Vec3* points, int degree, double u, Vec3* after) {
 /// Derivatives that a segment is compared by: position to jerk.
 constexpr int kOrders = 4;
 
-/// Position, velocity, acceleration and jerk at an end of a segment.
+/// Position, velocity, acceleration and jerk of a segment at one time.
 struct Jet {
   Vec3 d[kOrders];
 };
 
+/// At an end of the segment.
 inline Jet jet_of(const Segment& segment, bool at_end) {
   Vec3 points[kControlPoints];
   for (int i = 0; i <= kDegree; ++i) points[i] = segment.points[i];
   Jet result;
   for (int k = 0; k < kOrders; ++k) {
     result.d[k] = at_end ? points[kDegree - k] : points[0];
+    derive(points, kDegree - k, segment.duration);
+  }
+  return result;
+}
+
+/// At u in [0, 1] of the segment.
+inline Jet jet_within(const Segment& segment, double u) {
+  Vec3 points[kControlPoints];
+  for (int i = 0; i <= kDegree; ++i) points[i] = segment.points[i];
+  Jet result;
+  for (int k = 0; k < kOrders; ++k) {
+    Vec3 before[kControlPoints];
+    Vec3 after[kControlPoints];
+    for (int i = 0; i <= kDegree - k; ++i) before[i] = points[i];
+    cut(before, kDegree - k, u, after);
+    result.d[k] = after[0];
     derive(points, kDegree - k, segment.duration);
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "base/math.hpp"
 #include "prove/grants.hpp"
 #include "prove/joints.hpp"
 
@@ -19,30 +20,38 @@ bool refuse(Finding finding, std::int32_t segment, ProofReport& found) {
   return false;
 }
 
-/// True if the segment joins the one before or the start, and the goal if it is the last.
+/// True if the segment joins the one before, or the start if the plan enters there, and the goal if it is the last.
+/// Nothing is asked of a segment that is over by then. The segment begins at found.until.
 bool joint_holds(const Grid& grid, const Trajectory& trajectory, int index, const CheckQuery& query,
                  ProofReport& found) {
   const Segment& segment = trajectory.segments[index];
   const double distance = place_rounding(grid, trajectory);
-  if (index == 0 && !state_met(segment, false, query.start, trajectory.origin, distance, found)) {
-    return refuse(Finding::kBoundary, index, found);
-  }
-  if (index > 0 && !segments_join(trajectory.segments[index - 1], segment, found)) {
+  const bool is_last = index + 1 == trajectory.count;
+  const double end = found.until + segment.duration;
+  const bool is_over = !is_last && query.entered >= end;
+  const bool follows = query.entered < found.until;
+  if (follows && !segments_join(trajectory.segments[index - 1], segment, found)) {
     return refuse(Finding::kJoint, index, found);
   }
-  found.until += segment.duration;
-  if (index + 1 < trajectory.count || state_met(segment, true, query.goal, trajectory.origin, distance, found)) {
+  if (!follows && !is_over) {
+    const Jet start = jet_within(segment, smaller((query.entered - found.until) / segment.duration, 1.0));
+    if (!state_met(start, segment, query.start, trajectory.origin, distance, found)) {
+      return refuse(Finding::kBoundary, index, found);
+    }
+  }
+  found.until = end;
+  if (!is_last || state_met(jet_of(segment, true), segment, query.goal, trajectory.origin, distance, found)) {
     return true;
   }
   return refuse(Finding::kBoundary, index, found);
 }
 
-/// Begins the proof of the curve.
+/// Begins the proof of the curve from `entered` on.
 void begin_curve(CheckStage& stage, const Grid& grid, const Trajectory& trajectory, const Limits* limits,
-                 const AskedWorld* world, double spare, const Corridor* corridor) {
+                 double entered, const AskedWorld* world, double spare, const Corridor* corridor) {
   stage.hints.corridor = corridor;
   new (&stage.proof) Proof;
-  stage.proof.begin_plan(grid, trajectory, limits, world, spare, stage.hints);
+  stage.proof.begin_plan(grid, trajectory, entered, limits, world, spare, stage.hints);
   stage.phase = CheckPhase::kCurve;
 }
 
@@ -76,14 +85,14 @@ void check_begin(CheckStage& stage) noexcept {
 
 Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& part, const AskedWorld* world,
                       double spare, Work& work) noexcept {
-  if (stage.phase == CheckPhase::kBegin) begin_curve(stage, grid, part, nullptr, world, spare, nullptr);
+  if (stage.phase == CheckPhase::kBegin) begin_curve(stage, grid, part, nullptr, 0.0, world, spare, nullptr);
   return prove_curve(stage, work);
 }
 
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept {
   if (stage.phase == CheckPhase::kBegin) {
-    begin_curve(stage, grid, trajectory, &query.limits, query.world, 0.0, &corridor);
+    begin_curve(stage, grid, trajectory, &query.limits, query.entered, query.world, 0.0, &corridor);
   }
   if (stage.phase == CheckPhase::kCurve) {
     const Progress proven = prove_curve(stage, work);

@@ -32,6 +32,7 @@ struct CheckQuery {
   State start;  ///< with the jerk that the plan was made to begin with
   State goal;
   Limits limits;
+  double entered = 0.0;  ///< when the plan enters the trajectory, s since its beginning; what lies before is not flown
   const AskedWorld* world = nullptr;  ///< null: nothing but voxels
   const Via* vias = nullptr;
   const std::int32_t* joints = nullptr;  ///< for each via, the segment that begins where the plan passes it, or the

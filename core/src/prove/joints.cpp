@@ -59,12 +59,12 @@ bool segments_join(const Segment& before, const Segment& after, ProofReport& fou
   return agree(jet_of(before, true), jet_of(after, false), granted, found);
 }
 
-bool state_met(const Segment& segment, bool at_end, const State& asked, const Vec3& origin, double distance,
+bool state_met(const Jet& state, const Segment& segment, const State& asked, const Vec3& origin, double distance,
                ProofReport& found) noexcept {
   Granted granted = rounding_of(segment);
   granted.most[0] = distance;
   const Jet wanted{{asked.position - origin, asked.velocity, asked.acceleration, asked.jerk}};
-  return agree(jet_of(segment, at_end), wanted, granted, found);
+  return agree(state, wanted, granted, found);
 }
 
 bool follows(const Sample& before, const Sample& after) noexcept {

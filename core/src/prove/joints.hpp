@@ -28,9 +28,9 @@ bool agree(const Jet& a, const Jet& b, const Granted& granted, ProofReport& foun
 /// True if the positions have the same bits, and the derivatives to jerk agree to within the rounding of both sides.
 bool segments_join(const Segment& before, const Segment& after, ProofReport& found) noexcept;
 
-/// True if an end of the segment is the state asked for: the position to within `distance`, the derivatives to within
+/// True if a state of the segment is the one asked for: the position to within `distance`, the derivatives to within
 /// rounding. `origin`: of the segment's frame.
-bool state_met(const Segment& segment, bool at_end, const State& asked, const Vec3& origin, double distance,
+bool state_met(const Jet& state, const Segment& segment, const State& asked, const Vec3& origin, double distance,
                ProofReport& found) noexcept;
 
 /// The most by which a position, a velocity and an acceleration may jump in a committed plan: m, m/s, m/s^2. Rounding

@@ -81,9 +81,9 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   return Status::kRunning;
 }
 
-void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits* limits, const AskedWorld* world,
-                       double spare, PlanHints& hints) noexcept {
-  refuse(0.0);
+void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                       const AskedWorld* world, double spare, PlanHints& hints) noexcept {
+  refuse(from);
   trajectory_ = &trajectory;
   hints_ = &hints;
   Grant grant = grant_to_plan(grid, trajectory);

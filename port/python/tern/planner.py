@@ -59,6 +59,11 @@ class Report:
         return _QUALITIES[self.struct.quality]
 
     @property
+    def entered(self) -> float:
+        """The time on the trajectory at which the plan begins, seconds: 0 except for "previous plan"."""
+        return self.struct.entered
+
+    @property
     def goal_missed(self) -> str:
         """The status for which the plan ends at `reachable` instead of the goal, or "ok"."""
         return status_name(self.struct.goal_missed)
@@ -145,7 +150,8 @@ class Planner:
         return Result(trajectory if status == 0 else None, Report(report))
 
     def replan(self, grid: Grid, previous: Trajectory, t: float, goal: End, limits: Limits, **options) -> Result:
-        """A plan that continues `previous` from time t on, or the rest of it if there is none that arrives earlier."""
+        """A plan that continues `previous` from time t on. If none arrives earlier, the plan is `previous` itself, and its
+        report's `entered` is t."""
         return self.plan(grid, previous.state(t), goal, limits, previous=previous, previous_time=t, **options)
 
     def corridor(self) -> list[Polyhedron]:
