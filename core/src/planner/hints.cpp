@@ -37,14 +37,14 @@ struct Widest {
 };
 
 /// The normal that leaves the most room. If the gap is below `too_close`, its normal is only rounding, or there is
-/// none. Then the axes are tried, and what is at right angles to the part's direction and to an axis or an edge of the
-/// solid: the part may graze that edge.
-Widest widest_normal(const Beside& beside, double too_close, Work& work) {
+/// none. If no more is wanted, the part may graze an edge of the solid. Then the axes are tried, and what is at right
+/// angles to the part's direction and to an axis or an edge.
+Widest widest_normal(const Beside& beside, double wanted, double too_close, Work& work) {
   work.spend(4 * kGapOperations);
   const HullGap gap = solid_gap(beside.hull, beside.solid);
   Widest widest{beside, gap.normal, -1e300};
   widest.offer(gap.normal);
-  if (gap.distance >= too_close) return widest;
+  if (gap.distance >= too_close || wanted > too_close) return widest;
   work.spend(ops::kDot * kHintNormals * (beside.hull.count + beside.solid.hull.count));
   const Vec3 along = beside.hull.points[beside.hull.count - 1] - beside.hull.points[0];
   for (int k = 0; k < 6; ++k) {
@@ -95,7 +95,7 @@ void add_hints(const Curve& segment, const ConvexSolid& solid, const World& worl
     --waiting;
     work.spend(ops::kDot * (kControlPoints * solid.face_count + (kControlPoints + solid.hull.count) * hints.count));
     if (has_room(beside, wanted, hints)) continue;
-    const Widest widest = widest_normal(beside, too_close, work);
+    const Widest widest = widest_normal(beside, wanted, too_close, work);
     if (widest.room >= wanted) {
       if (!is_full(hints.count == kMaxPlanes)) hints.planes[hints.count++] = {widest.normal, 0.0};
     } else if (part.halvings < kHintHalvings) {
