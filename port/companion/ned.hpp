@@ -12,7 +12,8 @@
 namespace tern_companion {
 
 inline tern::Vec3 enu_from_ned(const std::array<float, 3>& ned) {
-  return tern::ned_from_enu({ned[0], ned[1], ned[2]});  // the same both ways
+  // the same both ways
+  return tern::ned_from_enu({static_cast<double>(ned[0]), static_cast<double>(ned[1]), static_cast<double>(ned[2])});
 }
 
 /// An attitude from forward-right-down to north-east-down, as one from ahead-left-up to east-north-up. (w, x, y, z).

@@ -15,8 +15,6 @@
 namespace tern_onboard {
 namespace {
 
-constexpr int kNobody = Notices::kNoSubject;
-
 std::int64_t nanoseconds(double seconds) {
   return std::llround(1e9 * seconds);
 }
