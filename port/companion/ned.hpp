@@ -12,8 +12,7 @@
 namespace tern_companion {
 
 inline tern::Vec3 enu_from_ned(const std::array<float, 3>& ned) {
-  // the same both ways
-  return tern::ned_from_enu({static_cast<double>(ned[0]), static_cast<double>(ned[1]), static_cast<double>(ned[2])});
+  return tern::ned_from_enu({ned[0], ned[1], ned[2]});  // the same both ways
 }
 
 /// An attitude from forward-right-down to north-east-down, as one from ahead-left-up to east-north-up. (w, x, y, z).

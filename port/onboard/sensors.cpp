@@ -208,8 +208,7 @@ tern::Status Sensors::begin(tern::RollingMap& map, Sensor& sensor, const tern::P
     directions_.clear();
     ranges_.clear();
     for (std::size_t k = 0; k + 2 < in_work_.points.size(); k += 3) {
-      const float* const p = &in_work_.points[k];
-      const tern::Vec3 point{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+      const tern::Vec3 point{in_work_.points[k], in_work_.points[k + 1], in_work_.points[k + 2]};
       directions_.push_back(turn(eye.quaternion, point));
       ranges_.push_back(static_cast<float>(length(point)));
     }
