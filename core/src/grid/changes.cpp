@@ -14,8 +14,8 @@ void hold(IndexRange& range, std::int32_t index) {
 }  // namespace
 
 std::size_t Changes::words(const Voxel& dims) noexcept {
-  const std::size_t strips = static_cast<std::size_t>(words_for(dims.y)) * dims.z;
-  return words_for(dims.z) + words_for(dims.x) * strips;
+  const std::int64_t strips = std::int64_t{words_for(dims.y)} * dims.z;
+  return static_cast<std::size_t>(words_for(dims.z) + words_for(dims.x) * strips);
 }
 
 bool Changes::any() const noexcept {

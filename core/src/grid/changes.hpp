@@ -81,7 +81,7 @@ class Changes {
 
   void set_plane(std::int32_t z, std::uint64_t value) noexcept;
   std::size_t at(std::int32_t z, std::int32_t strip, std::int32_t k) const noexcept {
-    return (static_cast<std::size_t>(z) * strips_ + strip) * row_words_ + k;
+    return static_cast<std::size_t>((std::int64_t{z} * strips_ + strip) * row_words_ + k);
   }
 
   std::int32_t row_words_;
