@@ -58,11 +58,6 @@ class Tightest {
     claim_.place = place();
   }
 
-  /// True where a margin with this tolerance would change nothing.
-  bool is_above(const Rational& margin, const Rational& tolerance) const {
-    return noted_ && margin + tolerance >= room_;
-  }
-
   bool noted() const { return noted_; }
   const Claim& claim() const { return claim_; }
 
