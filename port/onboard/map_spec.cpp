@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "tern_onboard/notices.hpp"
 #include "tern_onboard/pose.hpp"
 
 namespace tern_onboard {
@@ -13,12 +13,6 @@ namespace {
 
 std::int32_t voxels(double metres, double cell) {
   return static_cast<std::int32_t>(std::ceil(metres / cell - 1e-9));
-}
-
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f m", value);
-  return text;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "tern_onboard/notices.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace tern_onboard {
@@ -12,6 +13,16 @@ constexpr std::int64_t kQuiet = 1000000000;  // ns: how long it must be good bef
 constexpr std::size_t kMostLines = 1000;     // if nobody takes them
 
 }  // namespace
+
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f m", value);
+  return text;
+}
+
+std::string milliseconds(std::int64_t ns) {
+  return std::to_string(ns / 1000000) + " ms";
+}
 
 const char* fault_name(Fault fault) {
   static const char* const kNames[kFaults] = {

@@ -19,12 +19,6 @@ std::int64_t nanoseconds(double seconds) {
   return std::llround(1e9 * seconds);
 }
 
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f m", value);
-  return text;
-}
-
 std::string at(const tern::Vec3& v) {
   char text[80];
   std::snprintf(text, sizeof text, " at %.2f %.2f %.2f", v.x, v.y, v.z);

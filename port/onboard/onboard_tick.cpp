@@ -4,8 +4,6 @@
 // What an Onboard does at each tick, and what it hands out.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <utility>
 
 #include "tern_onboard/onboard.hpp"
 
@@ -15,12 +13,6 @@ namespace {
 constexpr int kNobody = Notices::kNoSubject;
 constexpr std::int64_t kMostTicks = 2;     // that are caught up; more are skipped
 constexpr std::int64_t kBack = 100000000;  // ns: a clock that goes back further was set
-
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f m", value);
-  return text;
-}
 
 }  // namespace
 
@@ -118,14 +110,20 @@ void Onboard::watch_stray(const StampedPose& pose, std::int64_t now) {
   }
 }
 
+/// At rest where the vehicle is; not valid without a pose.
+Setpoint Onboard::setpoint_here() const {
+  Setpoint setpoint{};
+  const StampedPose* newest = poses_.newest();
+  if (newest == nullptr) return setpoint;
+  setpoint.valid = true;
+  setpoint.position = setpoint.look_at = newest->pose.position;
+  setpoint.yaw = heading_of(newest->pose.quaternion);
+  return setpoint;
+}
+
 /// From now on, the setpoint without a flight is where the vehicle is.
 void Onboard::hold_here() {
-  hold_ = {};
-  const StampedPose* newest = poses_.newest();
-  if (newest == nullptr) return;
-  hold_.valid = true;
-  hold_.position = hold_.look_at = newest->pose.position;
-  hold_.yaw = heading_of(newest->pose.quaternion);
+  hold_ = setpoint_here();
 }
 
 void Onboard::lose(Fault fault, std::int64_t now, const std::string& text) {
@@ -143,8 +141,6 @@ std::int64_t Onboard::next_tick(std::int64_t now) const {
 
 Setpoint Onboard::setpoint(std::int64_t now) const {
   const std::lock_guard lock(mutex_);
-  Setpoint setpoint{};
-  setpoint.time = now;
   if (status_.state == State::kFlying) {
     const tern::Command command = flight_.command(now);
     const tern::YawSample yaw = flight_.yaw(now);
@@ -159,16 +155,8 @@ Setpoint Onboard::setpoint(std::int64_t now) const {
             yaw.yaw.rate,
             plus(command.look_at, offset)};
   }
-  if (hold_.valid) {
-    setpoint = hold_;
-    setpoint.time = now;
-    return setpoint;
-  }
-  const StampedPose* newest = poses_.newest();
-  if (newest == nullptr) return setpoint;
-  setpoint.valid = true;
-  setpoint.position = setpoint.look_at = newest->pose.position;
-  setpoint.yaw = heading_of(newest->pose.quaternion);
+  Setpoint setpoint = hold_.valid ? hold_ : setpoint_here();
+  setpoint.time = now;
   return setpoint;
 }
 

@@ -10,13 +10,8 @@
 namespace tern_onboard {
 namespace {
 
-constexpr std::int64_t kAhead = 20000000;  // ns that a stamp may be ahead of the clock: two computers, synchronised
-constexpr double kStrongest = 20.0;        // m/s^2: no multirotor changes its velocity faster
-constexpr double kQuickest = 10.0;         // rad/s: nor its attitude
-
-std::string milliseconds(std::int64_t ns) {
-  return std::to_string(ns / 1000000) + " ms";
-}
+constexpr double kStrongest = 20.0;  // m/s^2: no multirotor changes its velocity faster
+constexpr double kQuickest = 10.0;   // rad/s: nor its attitude
 
 std::string metres(const tern::Vec3& v) {
   char text[80];
@@ -58,7 +53,7 @@ bool Poses::stamp_is_good(const StampedPose& pose, std::int64_t now, Notices& no
     notices.bad(fault, Notices::kNoSubject, now, text);
     return false;
   };
-  if (pose.stamp > now + kAhead) {
+  if (pose.stamp > now + kStampAhead) {
     return refuse(Fault::kPoseAhead, "poses are refused: their stamps are " + milliseconds(pose.stamp - now) +
                                          " ahead of the clock. Synchronise the clocks of estimator and computer");
   }

@@ -8,16 +8,6 @@
 #include <utility>
 
 namespace tern_onboard {
-namespace {
-
-constexpr std::int64_t kAhead = 20000000;  // ns, as for poses
-
-std::string milliseconds(std::int64_t ns) {
-  return std::to_string(ns / 1000000) + " ms";
-}
-
-}  // namespace
-
 bool scan_is_whole(const PointScan& scan) {
   const std::size_t last = std::max(scan.x, std::max(scan.y, scan.z)) + sizeof(float);
   if (scan.data == nullptr || scan.width == 0 || scan.height == 0 || last > scan.point_bytes) return false;
@@ -122,7 +112,7 @@ bool Sensors::stamp_is_good(Sensor& sensor, int index, std::int64_t stamp, std::
     notices.bad(fault, index, now, called(index) + ": " + text);
     return false;
   };
-  if (stamp > now + kAhead) {
+  if (stamp > now + kStampAhead) {
     return refuse(Fault::kFrameAhead, "frames are refused: their stamps are " + milliseconds(stamp - now) +
                                           " ahead of the clock. Synchronise the clocks, or set time_offset");
   }

@@ -9,12 +9,16 @@
 #include "tern_onboard/pose.hpp"
 
 namespace tern_onboard {
+namespace {
 
+/// The mode of a word of FlySettings::yaw.
 tern::FlightYawMode yaw_mode_of(const std::string& word) {
   const std::vector<std::string>& words = yaw_words();
   const auto at = std::find(words.begin(), words.end(), word);
   return static_cast<tern::FlightYawMode>(at == words.end() ? 0 : at - words.begin());
 }
+
+}  // namespace
 
 Wish::Wish(const FlySettings& settings) {
   yaw_.mode = yaw_mode_of(settings.yaw);

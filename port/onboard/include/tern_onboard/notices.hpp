@@ -42,6 +42,10 @@ constexpr std::size_t kFaults = 22;
 /// "pose_invalid" and so on, as diagnostics carry it; static strings.
 const char* fault_name(Fault fault);
 
+/// "0.50 m", and "20 ms".
+std::string metres(double value);
+std::string milliseconds(std::int64_t ns);
+
 /// A line for the operator's log.
 struct Notice {
   bool bad;  ///< false: it is good again, or plain information

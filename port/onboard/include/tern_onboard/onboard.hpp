@@ -142,12 +142,12 @@ class Onboard {
   void mark_known();
   void watch_poses(std::int64_t now);
   void watch_stray(const StampedPose& pose, std::int64_t now);
+  Setpoint setpoint_here() const;
   void hold_here();
   void lose(Fault fault, std::int64_t now, const std::string& text);
   tern::Vec3 commanded(std::int64_t t) const;
   Answer send_wish();
   tern::Status start_flight(const tern::Vec3& position, std::int64_t now, tern::FlightRefusal* refusal);
-  void set_limits();
   void try_settings();
 
   Settings settings_;

@@ -15,6 +15,9 @@
 
 namespace tern_onboard {
 
+/// Nanoseconds that the stamp of a pose or a frame may be ahead of the clock: two computers, synchronised.
+constexpr std::int64_t kStampAhead = 20000000;
+
 /// What is known of a pose at one time.
 enum class PoseAt : std::uint8_t {
   kKnown = 0,

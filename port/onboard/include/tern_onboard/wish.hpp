@@ -28,16 +28,12 @@ class Wish {
   void set_yaw(tern::FlightYawMode mode, const tern::Vec3& point, double heading);
   /// Tells the flight how to turn. `start`: the heading now, rad; for the first time after Flight::start().
   tern::Status send_yaw(tern::Flight& flight, double start, const tern::Vec3& offset) const;
-  tern::FlightYawMode yaw_mode() const { return yaw_.mode; }
 
  private:
   std::vector<tern::Via> points_;
   tern::ViaPolicy policy_ = tern::ViaPolicy::kEnd;
   tern::FlightYaw yaw_{};
 };
-
-/// The mode of a word of FlySettings::yaw.
-tern::FlightYawMode yaw_mode_of(const std::string& word);
 
 }  // namespace tern_onboard
 
