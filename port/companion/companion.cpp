@@ -130,12 +130,13 @@ void Companion::tick(std::int64_t now) {
   steer(now);
   onboard_.tick(now);
   relay_notices();
-  measure(now);
+  const tern_onboard::Status status = onboard_.status(now);
+  measure(status, now);
   if (now >= setpoint_due_) {
     setpoint_due_ = std::max(setpoint_due_ + kSetpointPeriod, now - kSetpointPeriod);
     send_setpoint(now);
   }
-  judge(now);
+  judge(status, now);
 }
 
 void Companion::enter(Phase phase, std::int64_t now) {
@@ -180,8 +181,7 @@ void Companion::relay_notices() {
   }
 }
 
-void Companion::measure(std::int64_t now) {
-  const tern_onboard::Status status = onboard_.status(now);
+void Companion::measure(const tern_onboard::Status& status, std::int64_t now) {
   if (status.state != tern_onboard::State::kFlying) return;
   std::int64_t newest = 0;
   for (const tern_onboard::SensorState& sensor : status.sensors) newest = std::max(newest, sensor.last_stamp);
@@ -222,8 +222,7 @@ void Companion::send_setpoint(std::int64_t now) {
 }
 
 /// Whether the program is over.
-void Companion::judge(std::int64_t now) {
-  const tern_onboard::Status status = onboard_.status(now);
+void Companion::judge(const tern_onboard::Status& status, std::int64_t now) {
   const bool at_rest = status.report.mode == tern::FlightMode::kRest;
   const bool flies = status.state == tern_onboard::State::kFlying;
   if (ending_) {

@@ -67,9 +67,9 @@ class Companion {
   void steer(std::int64_t now);
   void begin(std::int64_t now);
   void relay_notices();
-  void measure(std::int64_t now);
+  void measure(const tern_onboard::Status& status, std::int64_t now);
   void send_setpoint(std::int64_t now);
-  void judge(std::int64_t now);
+  void judge(const tern_onboard::Status& status, std::int64_t now);
   void take_goal(const GoalMessage& message, const Frame& frame);
   void say_once(const std::string& text);
   void warn_about_frames();
