@@ -26,10 +26,11 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
-#include "tern_onboard/parameters.hpp"
 #include "tern_ros/displays.hpp"
 #include "tern_ros/flight_topics.hpp"
+#include "tern_ros/parameters.hpp"
 #include "tern_ros/tick_loop.hpp"
 
 namespace {
@@ -46,51 +47,24 @@ ros::Time time_of(std::int64_t ns) {
   return time;
 }
 
-/// Throws std::invalid_argument with what is wrong with it.
-void require(const std::string& fault) {
-  if (!fault.empty()) throw std::invalid_argument(fault);
+/// As ROS gives them: the default if one has another type.
+auto parameters_of(const ros::NodeHandle& own) {
+  return [&own](const std::string& name, const auto& otherwise) { return own.param(name, otherwise); };
 }
 
 tern_onboard::Settings settings_of(const ros::NodeHandle& own) {
-  tern_onboard::Settings settings;
-  for (const auto& row : tern_onboard::parameters()) {
-    double value = row.get(settings);
-    if (own.hasParam(row.name) && !own.getParam(row.name, value)) {
-      throw std::invalid_argument(std::string("parameter ") + row.name + " is refused: it is no number");
+  return tern_ros::read_settings([&own](const std::string& name, auto value) {
+    if (own.hasParam(name) && std::is_same_v<decltype(value), double> && !own.getParam(name, value)) {
+      throw std::invalid_argument("parameter " + name + " is refused: it is no number");
     }
-    require(tern_onboard::set_parameter(settings, row.name, value));
-  }
-  require(tern_onboard::set_yaw_word(settings, own.param<std::string>("yaw", settings.fly.yaw)));
-  return settings;
-}
-
-tern_onboard::SensorSettings sensor_settings_of(const ros::NodeHandle& own, const std::string& name) {
-  tern_onboard::SensorSettings settings;
-  for (const auto& row : tern_onboard::sensor_parameters()) {
-    require(tern_onboard::set_parameter(settings, row.name, own.param(name + "/" + row.name, row.get(settings)),
-                                        name + "/"));
-  }
-  return settings;
-}
-
-tern_ros::Options options_of(const ros::NodeHandle& own) {
-  tern_ros::Options o;
-  o.frame = own.param("frame", o.frame);
-  o.body_frame = own.param("body_frame", o.body_frame);
-  o.cameras = own.param("cameras", o.cameras);
-  o.lidars = own.param("lidars", o.lidars);
-  o.output = own.param("output", o.output);
-  o.setpoint_rate = own.param("setpoint_rate", o.setpoint_rate);
-  o.display_rate = own.param("display_rate", o.display_rate);
-  o.via_tolerance = own.param("via_tolerance", o.via_tolerance);
-  require(tern_ros::options_fault(o));
-  return o;
+    return own.param(name, value);
+  });
 }
 
 class Node {
  public:
   Node()
-      : options_(options_of(own_)),
+      : options_(tern_ros::read_options(parameters_of(own_))),
         onboard_(settings_of(own_)),
         listener_(buffer_),
         topics_(
@@ -132,7 +106,8 @@ class Node {
   void listen() {
     int sensor = 0;
     for (const std::string& name : tern_ros::words_of(options_.cameras)) {
-      topics_.add_sensor(name, tern_onboard::SensorKind::kDepth, sensor_settings_of(own_, name));
+      topics_.add_sensor(name, tern_onboard::SensorKind::kDepth,
+                         tern_ros::read_sensor_settings(name + "/", parameters_of(own_)));
       on<sensor_msgs::CameraInfo>(name + "/camera_info", 2,
                                   [this, sensor](const auto& m) { topics_.on_lens(sensor, m); });
       on<sensor_msgs::Image>(name + "/image", 2,
@@ -140,7 +115,8 @@ class Node {
       ++sensor;
     }
     for (const std::string& name : tern_ros::words_of(options_.lidars)) {
-      topics_.add_sensor(name, tern_onboard::SensorKind::kPoints, sensor_settings_of(own_, name));
+      topics_.add_sensor(name, tern_onboard::SensorKind::kPoints,
+                         tern_ros::read_sensor_settings(name + "/", parameters_of(own_)));
       on<sensor_msgs::PointCloud2>(name + "/points", 2,
                                    [this, sensor](const auto& m) { topics_.on_scan(sensor, m, now_ns()); });
       ++sensor;

@@ -26,9 +26,9 @@
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "senders.hpp"
-#include "tern_onboard/parameters.hpp"
 #include "tern_ros/displays.hpp"
 #include "tern_ros/flight_topics.hpp"
+#include "tern_ros/parameters.hpp"
 #include "tern_ros/tick_loop.hpp"
 
 namespace {
@@ -36,11 +36,6 @@ namespace {
 using rclcpp_lifecycle::LifecycleNode;
 using CallbackReturn = rclcpp_lifecycle::node_interfaces::LifecycleNodeInterface::CallbackReturn;
 using tern_onboard::Setpoint;
-
-/// Throws std::invalid_argument with what is wrong with it.
-void require(const std::string& fault) {
-  if (!fault.empty()) throw std::invalid_argument(fault);
-}
 
 class Node : public LifecycleNode {
  public:
@@ -101,10 +96,14 @@ class Node : public LifecycleNode {
     onboard_.reset();
   }
 
+  auto parameters() {
+    return [this](const std::string& name, const auto& otherwise) { return parameter(name, otherwise); };
+  }
+
   void set_up() {
     forget();
-    read_options();
-    onboard_ = std::make_unique<tern_onboard::Onboard>(read_settings());
+    options_ = tern_ros::read_options(parameters());
+    onboard_ = std::make_unique<tern_onboard::Onboard>(tern_ros::read_settings(parameters()));
     buffer_ = std::make_unique<tf2_ros::Buffer>(get_clock());
     listener_ = std::make_unique<tf2_ros::TransformListener>(*buffer_);
     topics_ = std::make_unique<tern_ros::FlightTopics>(
@@ -119,38 +118,6 @@ class Node : public LifecycleNode {
     listen_to_sensors();
     listen();
     advertise();
-  }
-
-  void read_options() {
-    tern_ros::Options& o = options_;
-    o.frame = parameter("frame", o.frame);
-    o.body_frame = parameter("body_frame", o.body_frame);
-    o.cameras = parameter("cameras", o.cameras);
-    o.lidars = parameter("lidars", o.lidars);
-    o.output = parameter("output", o.output);
-    o.setpoint_rate = parameter("setpoint_rate", o.setpoint_rate);
-    o.display_rate = parameter("display_rate", o.display_rate);
-    o.via_tolerance = parameter("via_tolerance", o.via_tolerance);
-    require(tern_ros::options_fault(o));
-  }
-
-  tern_onboard::Settings read_settings() {
-    tern_onboard::Settings settings;
-    for (const auto& row : tern_onboard::parameters()) {
-      require(tern_onboard::set_parameter(settings, row.name, parameter(row.name, row.get(settings))));
-    }
-    require(tern_onboard::set_yaw_word(settings, parameter("yaw", settings.fly.yaw)));
-    return settings;
-  }
-
-  tern_onboard::SensorSettings read_sensor_settings(const std::string& name) {
-    tern_onboard::SensorSettings settings;
-    const std::string prefix = name + ".";
-    for (const auto& row : tern_onboard::sensor_parameters()) {
-      const double value = parameter(prefix + row.name, row.get(settings));
-      require(tern_onboard::set_parameter(settings, row.name, value, prefix));
-    }
-    return settings;
   }
 
   bool find(const std::string& parent, const std::string& child, tern::Pose& pose, std::string& why) const {
@@ -172,7 +139,8 @@ class Node : public LifecycleNode {
     int sensor = 0;
     const rclcpp::SensorDataQoS data;
     for (const std::string& name : tern_ros::words_of(options_.cameras)) {
-      topics_->add_sensor(name, tern_onboard::SensorKind::kDepth, read_sensor_settings(name));
+      topics_->add_sensor(name, tern_onboard::SensorKind::kDepth,
+                          tern_ros::read_sensor_settings(name + ".", parameters()));
       on<sensor_msgs::msg::CameraInfo>(name + "/camera_info", data,
                                        [this, sensor](const auto& m) { topics_->on_lens(sensor, m); });
       on<sensor_msgs::msg::Image>(name + "/image", data,
@@ -180,7 +148,8 @@ class Node : public LifecycleNode {
       ++sensor;
     }
     for (const std::string& name : tern_ros::words_of(options_.lidars)) {
-      topics_->add_sensor(name, tern_onboard::SensorKind::kPoints, read_sensor_settings(name));
+      topics_->add_sensor(name, tern_onboard::SensorKind::kPoints,
+                          tern_ros::read_sensor_settings(name + ".", parameters()));
       on<sensor_msgs::msg::PointCloud2>(name + "/points", data,
                                         [this, sensor](const auto& m) { topics_->on_scan(sensor, m, now_ns()); });
       ++sensor;
