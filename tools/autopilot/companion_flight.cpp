@@ -12,6 +12,7 @@
 
 #include "autopilot/body_camera.hpp"
 #include "depth_sender.h"
+#include "host/flight/flight_recorder.hpp"
 #include "host/flight/flight_specs.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/number.hpp"
@@ -62,13 +63,10 @@ std::vector<std::string> arguments_of(const tern_host::FlightWorld& world, const
 }
 
 tern_host::VehicleSettings vehicle_of(const tern_host::FlightSettings& s) {
-  tern_host::VehicleSettings vehicle;
+  tern_host::VehicleSettings vehicle = tern_host::vehicle_settings_of(s);
   vehicle.kind = "px4";
-  vehicle.pose_jumps = s.pose_jump;
-  vehicle.wind = s.wind;
-  vehicle.drag = s.drag;
-  vehicle.px4_speed = s.px4_speed;
-  vehicle.seed = s.seed;
+  vehicle.pose_margin = 0.0;
+  vehicle.tick = 1e-9 * static_cast<double>(kStep);
   return vehicle;
 }
 
