@@ -3,6 +3,7 @@
 #include "curve/hermite.hpp"
 
 #include "base/math.hpp"
+#include "curve/bezier.hpp"
 
 namespace tern {
 namespace {
@@ -20,6 +21,16 @@ Vec3 point_beside(const JointState& end, double step, int k) {
 }
 
 }  // namespace
+
+JointState state_at(const Segment& segment, double u) noexcept {
+  JointState state;
+  Curve curve = curve_of(segment);
+  for (Vec3& derivative : state.d) {
+    derivative = value(curve, u);
+    curve = hodograph(curve, segment.duration);
+  }
+  return state;
+}
 
 void control_points(const JointState& first, const JointState& second, double duration, Vec3* points) noexcept {
   for (int k = 0; k < kJointOrder; ++k) {

@@ -43,6 +43,9 @@ constexpr double kSnapForm[2 * kJointOrder][2 * kJointOrder] = {
     {-10080, -4680, -840, -60, 10080, -5400, 1200, -120},
     {840, 360, 60, 4, -840, 480, -120, 16}};
 
+/// The state at u in [0, 1] of the segment.
+JointState state_at(const Segment& segment, double u) noexcept;
+
 /// The control points of the segment of `duration` seconds between two states. The first and the last are the states'
 /// positions, bit for bit.
 void control_points(const JointState& first, const JointState& second, double duration, Vec3* points) noexcept;

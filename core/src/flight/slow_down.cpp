@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/capacity.hpp"
 #include "base/math.hpp"
-#include "curve/bezier.hpp"
 #include "flight/branch.hpp"
 
 namespace tern {
@@ -69,14 +68,7 @@ JointState local_state(const Trajectory& plan, double t) {
     begin += plan.segments[index++].duration;
   }
   const Segment& segment = plan.segments[index];
-  const double u = clamp((t - begin) / segment.duration, 0.0, 1.0);
-  JointState state{};
-  Curve curve = curve_of(segment);
-  for (Vec3& derivative : state.d) {
-    derivative = value(curve, u);
-    curve = hodograph(curve, segment.duration);
-  }
-  return state;
+  return state_at(segment, clamp((t - begin) / segment.duration, 0.0, 1.0));
 }
 
 /// The state after `t` seconds of the slow-down: the chain rule, to the third derivative.

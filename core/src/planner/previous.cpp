@@ -18,17 +18,6 @@ bool is_sound(const Segment& segment) {
   return true;
 }
 
-/// The state at u in [0, 1] of the segment.
-JointState state_at(const Segment& segment, double u) {
-  JointState state;
-  Curve curve = curve_of(segment);
-  for (Vec3& derivative : state.d) {
-    derivative = value(curve, u);
-    curve = hodograph(curve, segment.duration);
-  }
-  return state;
-}
-
 /// The segment that is flown at `time`; `time` becomes the time since its beginning. plan.count if the plan is over.
 int segment_at(const Trajectory& plan, double& time) {
   double begin = 0.0;

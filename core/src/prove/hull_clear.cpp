@@ -88,23 +88,28 @@ Box core_of(const Box& box, double depth) {
   return core;
 }
 
+/// How often plane_between() improves its pair at this distance.
+int improvements_at(double distance) {
+  return distance < 0.0 ? kGrazingImprovements : kImprovements;
+}
+
 /// Looks for a plane that has the box behind it, and all points in front of it by at least the distance. Any point q
 /// outside the box gives a plane: it goes through the box's point p that is nearest to q, at right angles to q - p. The
 /// best q is the hull's point nearest to the box. It is sought on the line between the curve's ends. If the distance is
 /// negative, q may be on the box or inside it, so the box's core takes its place.
 bool plane_between(const Vec3* points, int count, const Box& whole, double distance) {
-  const bool may_graze = distance < 0.0;
-  const Box box = may_graze ? core_of(whole, -distance) : whole;
-  if (may_graze) distance = 0.0;
+  const Box box = distance < 0.0 ? core_of(whole, -distance) : whole;
+  const double wanted = larger(distance, 0.0);
+  const int improvements = improvements_at(distance);
   Vec3 q = 0.5 * (points[0] + points[count - 1]);
-  for (int k = 0; k < (may_graze ? kGrazingImprovements : kImprovements); ++k) {
+  for (int k = 0; k < improvements; ++k) {
     const Vec3 p = nearest_in(box, q);
     const Vec3 normal = q - p;
     const double size = length(normal);
     if (!(size > 0.0)) return false;
     double least = dot(normal, points[0] - p);
     for (int i = 1; i < count; ++i) least = smaller(least, dot(normal, points[i] - p));
-    if (least >= distance * size) return true;
+    if (least >= wanted * size) return true;
     q = nearest_on_line(points[0], points[count - 1], p);
   }
   return false;
@@ -153,8 +158,7 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     const double distance = distance_from(hull, box);
     const bool may_touch = hull.keeps.departed != nullptr && !(distance > 0.0);
     bool apart = may_touch || boxes_apart(hull.box, box, distance);
-    const int improvements = distance < 0.0 ? kGrazingImprovements : kImprovements;
-    work.spend(8 * ops::kDot + (apart ? 0 : (improvements - 1) * hull.count * ops::kDot));
+    work.spend(8 * ops::kDot + (apart ? 0 : (improvements_at(distance) - 1) * hull.count * ops::kDot));
     apart = apart || plane_between(hull.points, hull.count, box, distance);
     if (!apart) {
       found = {nearest_voxel(hull, {x, end}, cell), y, z};
