@@ -70,7 +70,7 @@ TEST(Vehicle, RigidBodiesHoverWhereTheyBegan) {
     sample.position = {1.0, -2.0, 3.0};
     return Setpoint{sample, 0.7, 0.0};
   };
-  for (const char* const kind : {"quadrotor", "px4"}) {
+  for (const char* const kind : {"quadrotor", "px4", "ardupilot"}) {
     const auto vehicle = make_vehicle(settings_of(kind), still(0.0));
     vehicle->fly_to(5.0, still);
     EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 1e-6) << kind;
@@ -99,18 +99,18 @@ TEST(Vehicle, FeedForwardOfTheFlatStateIsWorthAnOrderOfMagnitude) {
 /// correction, and drag holds the body back; the share of docs/integration/px4.md leaves enough.
 TEST(Vehicle, Px4CatchesUpOnlyBelowItsSpeedLimit) {
   VehicleSettings settings = settings_of("px4");
-  settings.drag = 0.3;
+  settings.air.drag = 0.3;
   const double free = error_on_circle(settings, 2.0);
-  settings.px4_speed = 2.0 / tern::kPx4SpeedShare;
+  settings.stack_speed = 2.0 / tern::kPx4SpeedShare;
   EXPECT_NEAR(error_on_circle(settings, 2.0), free, 0.01);
-  settings.px4_speed = 2.0;
+  settings.stack_speed = 2.0;
   EXPECT_GT(error_on_circle(settings, 2.0), 2.0 * free);
 }
 
 /// The correction has priority: a body that is far off flies towards its setpoint, not along with it.
 TEST(Vehicle, Px4NeverWantsMoreThanItsSpeedLimit) {
   VehicleSettings settings = settings_of("px4");
-  settings.px4_speed = 1.5;
+  settings.stack_speed = 1.5;
   const Setpoints away = [](double t) {
     tern::Sample sample{};
     sample.position = {0.0, t < 1.0 ? 0.0 : 10.0, 0.0};
@@ -124,6 +124,53 @@ TEST(Vehicle, Px4NeverWantsMoreThanItsSpeedLimit) {
   }
   EXPECT_NEAR(vehicle->velocity().y, 1.5, 0.2);
   EXPECT_LT(std::abs(vehicle->velocity().x), 0.2);
+}
+
+/// A stack has hovered in its wind before time 0, and its integrators hold against it. Level drag without a limit in
+/// the way is then as in calm air.
+TEST(Vehicle, StacksHoverInASteadyWindBeforeTheyBegin) {
+  const Setpoints still = [](double) {
+    tern::Sample sample{};
+    sample.position = {1.0, -2.0, 3.0};
+    return Setpoint{sample, 0.7, 0.0};
+  };
+  for (const char* const kind : {"px4", "ardupilot"}) {
+    VehicleSettings settings = settings_of(kind);
+    const double calm = error_on_circle(settings, 2.0);
+    settings.air.wind = 5.0;
+    settings.air.has_gusts = true;
+    const auto vehicle = make_vehicle(settings, still(0.0));
+    EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 0.02) << kind;
+    vehicle->fly_to(5.0, still);
+    EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 0.02) << kind;
+    EXPECT_LT(std::hypot(vehicle->attitude()[1], vehicle->attitude()[2]), 0.05) << kind;
+    EXPECT_GT(std::hypot(vehicle->attitude()[1], vehicle->attitude()[2]), 0.02) << kind;
+    EXPECT_NEAR(error_on_circle(settings, 2.0), calm, 0.15 * calm) << kind;
+    settings.air.has_gusts = false;
+    EXPECT_GT(error_on_circle(settings, 2.0), 1.2 * calm) << kind;
+  }
+}
+
+/// An estimate that lags is where the body was; one that drifts takes the body along the other way.
+TEST(Vehicle, EstimatesLagAndDriftAsTold) {
+  VehicleSettings settings = settings_of("px4");
+  settings.pose_lag = 0.05;
+  const Setpoints setpoints = [](double t) { return circle(t, 2.0); };
+  const auto late = make_vehicle(settings, setpoints(0.0));
+  late->fly_to(9.95, setpoints);
+  const tern::Vec3 then = late->position();
+  late->fly_to(10.0, setpoints);
+  EXPECT_LT(distance(late->estimate(), then), 1e-9);
+  EXPECT_NEAR(distance(late->position(), then), 0.1, 0.01);
+  settings.pose_lag = 0.0;
+  settings.pose_drift = 0.05;
+  for (const char* const kind : {"perfect", "px4", "ardupilot"}) {
+    settings.kind = kind;
+    const auto drifting = make_vehicle(settings, setpoints(0.0));
+    drifting->fly_to(10.0, setpoints);
+    EXPECT_NEAR(distance(drifting->position(), drifting->estimate()), 0.5, 1e-9) << kind;
+    EXPECT_LT(distance(drifting->estimate(), setpoints(10.0).sample.position), 0.5) << kind;
+  }
 }
 
 /// The body cannot follow a step of its heading, and turns for most of a second. Thrust points where the motion needs
@@ -142,7 +189,7 @@ TEST(Vehicle, AHeadingThatLagsDoesNotMoveTheBody) {
 TEST(Vehicle, WindPushesAndEqualSeedsGiveEqualFlights) {
   VehicleSettings windy = settings_of("quadrotor");
   const double calm = error_on_circle(windy, 2.0);
-  windy.wind = 5.0;
+  windy.air.wind = 5.0;
   const double pushed = error_on_circle(windy, 2.0);
   EXPECT_GT(pushed, calm + 0.01);
   EXPECT_LT(pushed, 0.1);
@@ -174,7 +221,7 @@ TEST(Vehicle, BeginsWhereItBelievesToBeAtTheSetpoint) {
     sample.position = {1.0, -2.0, 3.0};
     return Setpoint{sample, 0.7, 0.0};
   };
-  for (const char* const kind : {"quadrotor", "px4"}) {
+  for (const char* const kind : {"quadrotor", "px4", "ardupilot"}) {
     VehicleSettings settings = settings_of(kind);
     settings.pose_margin = 0.5;
     const auto vehicle = make_vehicle(settings, still(0.0));

@@ -14,6 +14,8 @@
 #include "host/flight/flown_plan.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "host/flight/stack_margin.hpp"
+#include "host/number.hpp"
 #include "host/page/flight_film.hpp"
 #include "host/page/page.hpp"
 #include "host/picture/flight_picture.hpp"
@@ -32,15 +34,63 @@ struct FlyOptions {
   std::string record;
   bool compare = false;
   bool commits = false;
+  std::string stack;
+  std::vector<std::string> air;  // overrides that --wind, --drag and --vel-max are short for
+  int seeds = 10;
 };
+
+/// The settings that options stand for, then those of --set.
+std::vector<std::string> overrides_of(const FlyOptions& options) {
+  std::vector<std::string> all = options.air;
+  if (!options.stack.empty()) all.push_back("tracking=" + options.stack);
+  all.insert(all.end(), options.overrides.begin(), options.overrides.end());
+  return all;
+}
 
 bool keeps(const tern_host::FlightResult& result, double margin) {
   return result.tracking_max <= margin * (1.0 + 1e-9);
 }
 
+/// What to do where a margin is exceeded.
+std::string verdict(bool kept, double needed) {
+  if (kept) return "kept";
+  char text[128];
+  std::snprintf(text, sizeof text, "EXCEEDED: raise tracking_margin to at least %.2f, or lower v_max, a_max or j_max",
+                needed);
+  return text;
+}
+
 void print_tracking(const tern_host::FlightResult& result, double margin) {
   std::printf("tracking error %.3f m at most, %.3f m rms; margin %.3f m: %s\n", result.tracking_max,
-              result.tracking_rms, margin, keeps(result, margin) ? "kept" : "EXCEEDED");
+              result.tracking_rms, margin,
+              verdict(keeps(result, margin), tern_host::up_to_centimetres(result.tracking_max)).c_str());
+}
+
+/// What flew, and in what.
+std::string conditions(const tern_host::FlightSettings& s) {
+  char text[200];
+  std::snprintf(text, sizeof text, "wind %.3g m/s with gusts of %.2g m/s, drag %.3g 1/s, %s %.3g m/s", s.air.wind,
+                s.air.deviation(), s.air.drag, s.tracking == "px4" ? "MPC_XY_VEL_MAX" : "WPNAV_SPEED", s.stack_speed);
+  return text;
+}
+
+/// The margin that a plan needs with a flight stack. Returns the exit status.
+int print_margin(const tern_host::FinishedPlan& plan, const tern_host::FlightSettings& settings,
+                 const FlyOptions& options) {
+  const tern_host::StackMargin margin = tern_host::measure_margin(plan.trajectory, settings, options.seeds);
+  if (!options.csv.empty()) tern_host::write_files({{options.csv, margin.samples}});
+  const bool kept = margin.controller + margin.estimate <= settings.tracking_margin * (1.0 + 1e-9);
+  const unsigned long long first = settings.seed;
+  std::printf("%s flew the plan with seeds %llu to %llu: %s\n", settings.tracking.c_str(), first,
+              first + static_cast<unsigned long long>(margin.flights) - 1, conditions(settings).c_str());
+  std::printf("tracking error %.3f m at most, %.3f m rms (seed %llu); margin %.3f m: %s\n", margin.controller,
+              margin.rms, static_cast<unsigned long long>(margin.worst_seed), settings.tracking_margin,
+              verdict(kept, margin.needed()).c_str());
+  std::printf(
+      "set tracking_margin %.2f: it holds %.3f m of the controller and %.3f m of the estimate, for these limits, "
+      "this air and the stack's default gains\n",
+      margin.needed(), margin.controller, margin.estimate);
+  return kept ? kExitOk : kExitNoPlan;
 }
 
 void print_mission(const tern_host::FlightResult& result) {
@@ -76,13 +126,14 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
 int fly_finished_plan(const FlyOptions& options) {
   if (!options.world.empty() || !options.json.empty() || !options.svg.empty() || !options.html.empty() ||
       !options.record.empty() || options.compare) {
-    throw std::runtime_error("--plan goes with --set and --csv alone");
+    throw std::runtime_error("--plan goes with --set, --stack, --wind, --drag, --vel-max, --seeds and --csv alone");
   }
   check_output_paths({options.plan}, {options.csv});
   const tern_host::FinishedPlan plan = tern_host::read_finished_plan(options.plan);
   tern_host::FlightSettings settings;
   if (plan.tracking_margin > 0.0) settings.tracking_margin = plan.tracking_margin;
-  settings = tern_host::flight_settings(options.overrides, settings);
+  settings = tern_host::flight_settings(overrides_of(options), settings);
+  if (tern_host::is_stack(settings.tracking)) return print_margin(plan, settings, options);
   const tern_host::FlightResult result = tern_host::fly_plan(plan.trajectory, settings);
   if (!options.csv.empty()) tern_host::write_files({{options.csv, result.samples}});
   std::printf("%s flew the plan in %.2f s\n", settings.tracking.c_str(), result.time);
@@ -109,7 +160,7 @@ int fly(const FlyOptions& options) {
     if (!path.empty()) paths.push_back(path);
   }
   check_output_paths({options.world}, paths);
-  const tern_host::FlightWorld world = tern_host::read_flight_world(options.world, options.overrides);
+  const tern_host::FlightWorld world = tern_host::read_flight_world(options.world, overrides_of(options));
   print_warnings(world.warnings);
   std::unique_ptr<tern_host::FlightFilm> film;
   if (!options.html.empty()) film = std::make_unique<tern_host::FlightFilm>(world);
@@ -134,6 +185,19 @@ int fly(const FlyOptions& options) {
 
 }  // namespace
 
+namespace {
+
+void add_air_option(CLI::App& command, FlyOptions& options, const char* name, const std::string& key,
+                    const char* text) {
+  command
+      .add_option_function<double>(
+          name, [&options, key](const double& value) { options.air.push_back(key + "=" + tern_host::exact(value)); },
+          text)
+      ->type_name("NUMBER");
+}
+
+}  // namespace
+
 void add_fly_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<FlyOptions>();
   CLI::App* const command = app.add_subcommand("fly", "Fly through a world that is discovered on the way");
@@ -141,6 +205,17 @@ void add_fly_command(CLI::App& app, int& exit_status) {
                       "World file (docs/formats.md), or FAMILY:SEED, e.g. P25:7, or P25@8:7 at 8 m/s");
   command->add_option("--plan", options->plan, "Fly a finished plan of `tern plan --json` instead, and say how far off")
       ->type_name("FILE");
+  command->add_option("--stack", options->stack, "The flight stack that flies: px4 or ardupilot, as tracking of --set")
+      ->check(CLI::IsMember({"px4", "ardupilot"}))
+      ->type_name("STACK");
+  add_air_option(*command, *options, "--wind", "wind", "Mean speed of the wind, m/s");
+  add_air_option(*command, *options, "--drag", "drag", "Level deceleration for each m/s through the air, 1/s");
+  add_air_option(*command, *options, "--vel-max", "stack_speed",
+                 "MPC_XY_VEL_MAX of px4, WPNAV_SPEED of ardupilot, m/s");
+  command->add_option("--seeds", options->seeds, "With --plan and a stack: flights of the plan, each with its own wind")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000), "")
+      ->type_name("N");
   command->add_option("--set", options->overrides, "Replace a setting of the world")
       ->type_name("KEY=VALUE")
       ->expected(1)

@@ -160,7 +160,7 @@ std::vector<Bound> bounds_of(const World& world) {
   const Rational& speed = world.setting("v_max");
   const Rational& gentle = world.setting("a_max");
   const Rational& jerk = world.setting("j_max");
-  const bool is_rigid = world.tracking == "quadrotor" || world.tracking == "px4";
+  const bool is_rigid = world.tracking == "quadrotor" || world.tracking == "px4" || world.tracking == "ardupilot";
   const Rational sink = -at_most(gentle, is_rigid ? kMostSinkAcceleration : kMostClimbAcceleration);
   std::vector<Bound> bounds;
   add_bounds(1, {speed, speed, at_most(speed, kMostClimb)}, {0, 0, 0}, speed, bounds);

@@ -95,6 +95,8 @@ Vec3 outside_of(const tern::Box& b, const Vec3& goal) {
 
 void add_fault_setters(Setters& setters) {
   setters["pose_jump"] = set_pose_jump;
+  setters["pose_drift"] = real(&FlightSettings::pose_drift, 0.0, 10.0);
+  setters["pose_lag"] = real(&FlightSettings::pose_lag, 0.0, 1.0);
   setters["tick_skip"] = set_tick_skip;
   setters["goal_jitter"] = set_goal_jitter;
   setters["appear_ahead"] = set_appear_ahead;

@@ -13,6 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The speed, and the angle where one is given.
+Json wind_json(const Air& air) {
+  return air.has_angle ? Json{air.wind, air.angle} : Json(air.wind);
+}
+
 Json settings_json(const FlightSettings& s) {
   return {{"body_radius", s.body_radius},
           {"tracking_margin", s.tracking_margin},
@@ -44,12 +49,15 @@ Json settings_json(const FlightSettings& s) {
           {"time_limit", s.time_limit},
           {"goal_tolerance", s.goal_tolerance},
           {"tracking", s.tracking},
-          {"wind", s.wind},
-          {"drag", s.drag},
-          {"px4_speed", s.px4_speed},
+          {"wind", wind_json(s.air)},
+          {"gusts", s.air.deviation()},
+          {"drag", s.air.drag},
+          {"stack_speed", s.stack_speed},
           {"seed", s.seed},
           {"frames_until", s.frames_until},
           {"pose_jump", {s.pose_jump.size, s.pose_jump.every}},
+          {"pose_drift", s.pose_drift},
+          {"pose_lag", s.pose_lag},
           {"tick_skip", {s.tick_skip.share, s.tick_skip.longest}},
           {"goal_jitter", {s.goal_jitter.size, s.goal_jitter.until}},
           {"appear_ahead", {s.appear_ahead.time, s.appear_ahead.distance}},

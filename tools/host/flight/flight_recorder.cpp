@@ -36,9 +36,10 @@ VehicleSettings vehicle_settings_of(const FlightSettings& s) {
   vehicle.tracking_margin = s.tracking_margin;
   vehicle.pose_margin = s.pose_margin;
   vehicle.pose_jumps = s.pose_jump;
-  vehicle.wind = s.wind;
-  vehicle.drag = s.drag;
-  vehicle.px4_speed = s.px4_speed;
+  vehicle.pose_drift = s.pose_drift;
+  vehicle.pose_lag = s.pose_lag;
+  vehicle.air = s.air;
+  vehicle.stack_speed = s.stack_speed;
   vehicle.tick = 1.0 / s.tick_hz;
   vehicle.seed = s.seed;
   return vehicle;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/fence_record.hpp"
+#include "host/flight/air_records.hpp"
 #include "host/flight/fault_records.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/full_knowledge.hpp"
@@ -69,7 +70,7 @@ void set_sensor(FlightSettings& s, const Words& words, const Place& place) {
 void set_tracking(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<std::string>& kinds = vehicle_kinds();
   if (words.size() != 2 || std::find(kinds.begin(), kinds.end(), words[1]) == kinds.end()) {
-    throw RecordError(place, "tracking is perfect, bounded, quadrotor or px4");
+    throw RecordError(place, "tracking is perfect, bounded, quadrotor, px4 or ardupilot");
   }
   s.tracking = words[1];
 }
@@ -118,9 +119,7 @@ Setters all_setters() {
                  {"v_max", real(&S::v_max, 0.01, 100.0)},
                  {"a_max", real(&S::a_max, 0.01, 100.0)},
                  {"j_max", real(&S::j_max, 0.0, 1e6)},
-                 {"wind", real(&S::wind, 0.0, 100.0)},
-                 {"drag", real(&S::drag, 0.0, 10.0)},
-                 {"px4_speed", real(&S::px4_speed, 0.1, 100.0)},
+                 {"stack_speed", real(&S::stack_speed, 0.1, 100.0)},
                  {"yaw_rate", set_yaw_rate},
                  {"yaw_acceleration", set_yaw_acceleration},
                  {"yaw", set_yaw},
@@ -137,6 +136,7 @@ Setters all_setters() {
                  {"seed", [](S& s, const Words& words, const Place& place) {
                     s.seed = static_cast<std::uint64_t>(whole_number_within(words, {0.0, 9e15}, place));
                   }}};
+  add_air_setters(all);
   add_fault_setters(all);
   return all;
 }

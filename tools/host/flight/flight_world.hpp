@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/fence_record.hpp"
+#include "host/vehicle/air.hpp"
 #include "host/vehicle/pose_error.hpp"
 #include "tern/flight.hpp"
 #include "tern/vec3.hpp"
@@ -79,14 +80,15 @@ struct FlightSettings {
   double time_limit = 120.0;
   double goal_tolerance = 0.01;
   std::string tracking = "bounded";  ///< a kind of vehicle (vehicle.hpp)
-  double wind = 0.0;                 ///< mean speed, m/s; for rigid bodies
-  double drag = 0.1;                 ///< 1/s; for rigid bodies
-  double px4_speed = 12.0;           ///< MPC_XY_VEL_MAX of "px4", m/s
+  Air air;                           ///< for rigid bodies
+  double stack_speed = 12.0;         ///< MPC_XY_VEL_MAX of "px4", WPNAV_SPEED of "ardupilot", m/s
   std::uint64_t seed = 1;
 
   // Faults.
   double frames_until = kLongestFlight;  ///< seconds; no frame is taken later
   PoseJumps pose_jump;                   ///< of the estimated position
+  double pose_drift = 0.0;               ///< of the estimated position, m/s
+  double pose_lag = 0.0;                 ///< how old the estimates are that rigid bodies are flown by, seconds
   TickSkips tick_skip;
   GoalJitter goal_jitter;
   AppearAhead appear_ahead;

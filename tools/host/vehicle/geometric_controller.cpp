@@ -36,7 +36,8 @@ Matrix3d rotation(const tern::FlatState& state) {
 
 /// What a motion accelerates its vehicle with, drag included.
 Vector3d effort(const Setpoint& setpoint) {
-  return to_eigen(setpoint.sample.acceleration) + Body::kDrag * to_eigen(setpoint.sample.velocity);
+  const tern::Vec3& v = setpoint.sample.velocity;
+  return to_eigen(setpoint.sample.acceleration) + Body::kDrag * Vector3d(v.x, v.y, 0.0);
 }
 
 /// How fast the thrust's direction turns, about the body's x and y.
@@ -63,7 +64,7 @@ Vector3d turned_beyond(const Matrix3d& back) {
 
 }  // namespace
 
-Wrench geometric_control(const Believed& state, double t, const Setpoints& setpoints) {
+Wrench GeometricController::control(const Believed& state, double t, double, const Setpoints& setpoints) {
   const Setpoint now = setpoints(t);
   const Setpoint soon = setpoints(t + Body::kMotorLag);
   const Setpoint later = setpoints(t + Body::kMotorLag + kAhead);

@@ -20,22 +20,31 @@ struct PoseJumps {
   double every = 1.0;
 };
 
-/// How far a vehicle's estimate of its position is off: by a smooth, seeded error, and by jumps. Where the jumps are
-/// within the margin, the whole error is; larger ones come on top of an error up to the margin.
+/// How far a vehicle's estimate of its position is off: by a smooth, seeded error, by jumps, and by a drift of so many
+/// m/s into a seeded, level direction. Where the jumps are within the margin, the error without drift is; larger ones
+/// come on top of an error up to the margin.
 class PoseError {
  public:
-  PoseError(double margin, const PoseJumps& jumps, std::uint64_t seed, Noise& noise)
-      : smooth_(jumps.size <= margin ? margin - jumps.size : margin, noise), jumps_(jumps), seed_(seed) {}
+  PoseError(double margin, const PoseJumps& jumps, double drift, std::uint64_t seed, Noise& noise)
+      : smooth_(jumps.size <= margin ? margin - jumps.size : margin, noise), jumps_(jumps), seed_(seed) {
+    const double angle = Noise(seed * 1000003 + kDriftStream).within(0.0, kTurn);
+    drift_ = {drift * std::cos(angle), drift * std::sin(angle), 0.0};
+  }
 
   /// At t seconds, metres and m/s. Jumps take no time.
   tern::Vec3 at(double t) const {
     const tern::Vec3 e = smooth_.at(t);
     const tern::Vec3 j = jump_at(t);
-    return {e.x + j.x, e.y + j.y, e.z + j.z};
+    return {e.x + j.x + t * drift_.x, e.y + j.y + t * drift_.y, e.z + j.z};
   }
-  tern::Vec3 rate_at(double t) const { return smooth_.rate_at(t); }
+  tern::Vec3 rate_at(double t) const {
+    const tern::Vec3 rate = smooth_.rate_at(t);
+    return {rate.x + drift_.x, rate.y + drift_.y, rate.z};
+  }
 
  private:
+  static constexpr std::uint64_t kDriftStream = 1000001;  // no jump has this number
+
   tern::Vec3 jump_at(double t) const {
     if (!(jumps_.size > 0.0)) return {};
     const auto number = static_cast<std::uint64_t>(t / jumps_.every + 1e-9);
@@ -49,6 +58,7 @@ class PoseError {
 
   SmoothError smooth_;
   PoseJumps jumps_;
+  tern::Vec3 drift_{};
   std::uint64_t seed_;
 };
 

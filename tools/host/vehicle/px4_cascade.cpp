@@ -26,27 +26,21 @@ constexpr double kVelocityCutoff = 5.0;          // [MPC_VELD_LP] Hz
 const Vector3d kAttitudeP(6.5, 6.5, 2.8);        // [MC_ROLL_P, MC_PITCH_P, MC_YAW_P]
 constexpr double kYawWeight = 0.4;               // [MC_YAW_WEIGHT]
 const Vector3d kMostRates(3.84, 3.84, 3.49);     // [MC_ROLLRATE_MAX 220, MC_YAWRATE_MAX 200] rad/s
-const Vector3d kRatesP(0.15, 0.15, 0.2);         // [MC_ROLLRATE_P, MC_YAWRATE_P]
-const Vector3d kRatesI(0.2, 0.2, 0.1);
-const Vector3d kRatesD(0.003, 0.003, 0.0);
-constexpr double kMostRatesIntegral = 0.3;  // [MC_RR_INT_LIM]
-constexpr double kRatesCutoff = 30.0;       // [IMU_DGYRO_CUTOFF] Hz
-constexpr double kAttitudePeriod = 0.004;   // 250 Hz
+constexpr double kPositionPeriod = 0.01;         // with the estimator, 100 Hz
+constexpr double kAttitudePeriod = 0.004;        // 250 Hz
 
-/// What a full output of the rate loop accelerates the body with, rad/s^2. PX4's outputs have no unit; this is the body
-/// that its gains fit.
-const Vector3d kFullOutput(130.0, 130.0, 25.0);
+// Thrusts are shares of the weight, which a thrust of [MPC_THR_HOVER] 0.5 carries.
+constexpr double kPx4LeastThrust = 0.12 / 0.5 * tern::kGravity;  // [MPC_THR_MIN]
+constexpr double kPx4MostThrust = 1.0 / 0.5 * tern::kGravity;    // [MPC_THR_MAX]
+constexpr double kSideways = 0.3 / 0.5 * tern::kGravity;         // [MPC_THR_XY_MARG]
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// The part of a new value in a low pass of the first order.
-double new_part(double cutoff, double dt) {
-  return dt / (dt + 1.0 / (2.0 * kPi * cutoff));
-}
-
-Vector3d within(const Vector3d& v, const Vector3d& most) {
-  return v.cwiseMax(-most).cwiseMin(most);
-}
+// [MC_ROLLRATE_P, _I, _D and those of pitch and yaw, MC_RR_INT_LIM, IMU_DGYRO_CUTOFF]
+const RateGains kPx4Rates{Vector3d(0.15, 0.15, 0.2),
+                          Vector3d(0.2, 0.2, 0.1),
+                          Vector3d(0.003, 0.003, 0.0),
+                          Vector3d::Constant(0.3),
+                          30.0,
+                          0.0};
 
 /// The horizontal velocity to follow. Where correction and commanded velocity together are more than the limit, PX4
 /// keeps the correction, and as much of the commanded velocity as there is room for.
@@ -66,15 +60,46 @@ Vector3d limit_velocity(const Vector3d& commanded, const Vector3d& correction, d
   return velocity;
 }
 
-/// The attitude whose z is `up` and whose nose points along yaw.
-Quaterniond attitude_of(const Vector3d& up, double yaw) {
-  const Vector3d left = up.cross(Vector3d(std::cos(yaw), std::sin(yaw), 0.0)).normalized();
-  Eigen::Matrix3d r;
-  r << left.cross(up), left, up;
-  return Quaterniond(r);
+}  // namespace
+
+Vector3d px4_asked_thrust(const Vector3d& wanted) {
+  // MPC_ACC_DECOUPLE: the tilt assumes that the thrust carries the weight and nothing more.
+  Vector3d up(wanted.x(), wanted.y(), tern::kGravity);
+  up.head<2>() = no_longer(up.head<2>(), tern::kGravity * std::tan(kMostTilt));
+  up.normalize();
+  return std::max(kPx4LeastThrust, (wanted.z() + tern::kGravity) / up.z()) * up;
 }
 
-}  // namespace
+Vector3d px4_limited_thrust(const Vector3d& thrust) {
+  constexpr double kSquare = kPx4MostThrust * kPx4MostThrust;
+  const double kept = std::min(thrust.head<2>().norm(), kSideways);
+  Vector3d limited = thrust;
+  limited.z() = std::min(thrust.z(), std::sqrt(kSquare - kept * kept));
+  limited.head<2>() = no_longer(thrust.head<2>(), std::sqrt(std::max(0.0, kSquare - limited.z() * limited.z())));
+  return limited;
+}
+
+Px4Cascade::Px4Cascade(double begin, double tick, double speed_max)
+    : tick_(tick),
+      speed_max_(speed_max),
+      next_setpoint_(begin),
+      next_position_(begin),
+      next_attitude_(begin),
+      rates_(kPx4Rates) {}
+
+/// PX4's anti-windup: upright, nothing is added where the thrust is at its limit. Sideways, what the thrust gives short
+/// of `wanted` is taken back. That is also where it sinks: the tilt of MPC_ACC_DECOUPLE then gives less.
+void Px4Cascade::integrate(Vector3d off, const Vector3d& wanted, double dt) {
+  const Vector3d asked = px4_asked_thrust(wanted);
+  const Vector3d given = px4_limited_thrust(asked);
+  const bool is_low = asked.z() <= kPx4LeastThrust && off.z() <= 0.0;
+  const bool is_high = asked.z() >= kPx4MostThrust && off.z() >= 0.0;
+  if (is_low || is_high) off.z() = 0.0;
+  const Vector2d short_of = (wanted - given).head<2>();
+  if (wanted.head<2>().norm() > given.head<2>().norm()) off.head<2>() -= 2.0 / kVelocityP.x() * short_of;
+  velocity_integral_ += dt * kVelocityI.cwiseProduct(off);
+  velocity_integral_.z() = std::clamp(velocity_integral_.z(), -tern::kGravity, tern::kGravity);
+}
 
 void Px4Cascade::control_position(const Believed& state, double dt) {
   const Vector3d change = (state.velocity - last_velocity_) / dt;
@@ -84,16 +109,10 @@ void Px4Cascade::control_position(const Believed& state, double dt) {
   const Vector3d off = limit_velocity(to_eigen(setpoint_.sample.velocity), correction, speed_max_) - state.velocity;
   const Vector3d wanted = to_eigen(setpoint_.sample.acceleration) + kVelocityP.cwiseProduct(off) + velocity_integral_ -
                           kVelocityD.cwiseProduct(acceleration_);
-  velocity_integral_ += dt * kVelocityI.cwiseProduct(off);
-  velocity_integral_.z() = std::clamp(velocity_integral_.z(), -tern::kGravity, tern::kGravity);
-  // MPC_ACC_DECOUPLE: the tilt assumes that the thrust carries the weight and nothing more.
-  Vector3d up(wanted.x(), wanted.y(), tern::kGravity);
-  const double most = tern::kGravity * std::tan(kMostTilt);
-  const double level = up.head<2>().norm();
-  if (level > most) up.head<2>() *= most / level;
-  up.normalize();
-  wanted_ = attitude_of(up, setpoint_.yaw);
-  thrust_ = std::max(0.0, Body::kMass * (wanted.z() + tern::kGravity) / up.z());
+  const Vector3d thrust = px4_limited_thrust(px4_asked_thrust(wanted));
+  integrate(off, wanted, dt);
+  wanted_ = attitude_of(thrust.normalized(), setpoint_.yaw);
+  thrust_ = Body::kMass * thrust.norm();
 }
 
 /// PX4's attitude control: the thrust's direction first, yaw with less weight.
@@ -113,28 +132,21 @@ void Px4Cascade::control_attitude(const Believed& state) {
   wanted_rates_ = within(wanted_rates_, kMostRates);
 }
 
-Vector3d Px4Cascade::control_rates(const Believed& state, double dt) {
-  const Vector3d change = (state.body_rates - last_rates_) / dt;
-  angular_ += new_part(kRatesCutoff, dt) * (change - angular_);
-  last_rates_ = state.body_rates;
-  const Vector3d off = wanted_rates_ - state.body_rates;
-  const Vector3d output = kRatesP.cwiseProduct(off) + rates_integral_ - kRatesD.cwiseProduct(angular_);
-  rates_integral_ = within(rates_integral_ + dt * kRatesI.cwiseProduct(off), Vector3d::Constant(kMostRatesIntegral));
-  return within(output, Vector3d::Ones()).cwiseProduct(kFullOutput);
-}
-
 Wrench Px4Cascade::control(const Believed& state, double t, double step, const Setpoints& setpoints) {
   constexpr double kEarly = 1e-9;
   if (t >= next_setpoint_ - kEarly) {
     setpoint_ = setpoints(next_setpoint_);
     next_setpoint_ += tick_;
-    control_position(state, tick_);
+  }
+  if (t >= next_position_ - kEarly) {
+    next_position_ += kPositionPeriod;
+    control_position(state, kPositionPeriod);
   }
   if (t >= next_attitude_ - kEarly) {
     next_attitude_ += kAttitudePeriod;
     control_attitude(state);
   }
-  return {thrust_, Body::inertia().cwiseProduct(control_rates(state, step))};
+  return {thrust_, rates_.torque(wanted_rates_, state.body_rates, step)};
 }
 
 }  // namespace tern_host

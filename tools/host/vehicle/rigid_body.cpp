@@ -78,8 +78,9 @@ void RigidBody::advance(double step, const Vector3d& wind) {
     const Eigen::Quaterniond attitude(x[6], x[7], x[8], x[9]);
     const Vector3d rates(x[10], x[11], x[12]);
     const Vector4d forces = mix * Vector4d(x[13], x[14], x[15], x[16]);
+    const Vector3d air = velocity - wind;
     const Vector3d acceleration = attitude.normalized() * Vector3d(0.0, 0.0, forces[0] / Body::kMass) -
-                                  Vector3d(0.0, 0.0, tern::kGravity) - drag_ * (velocity - wind);
+                                  Vector3d(0.0, 0.0, tern::kGravity) - drag_ * Vector3d(air.x(), air.y(), 0.0);
     const Eigen::Quaterniond turn = attitude * Eigen::Quaterniond(0.0, rates.x(), rates.y(), rates.z());
     const Vector3d inertia = Body::inertia();
     const Vector3d spin = rates.cross(Vector3d(inertia.cwiseProduct(rates)));

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A quadrotor as a rigid body: four motors with lag, drag in moving air, attitude as a quaternion.
+// A quadrotor as a rigid body: four motors with lag, drag in moving air, attitude as a quaternion. Drag is level alone:
+// rotors, from which most of it comes, hardly resist motion along their axes.
 #ifndef TERN_HOST_VEHICLE_RIGID_BODY_HPP
 #define TERN_HOST_VEHICLE_RIGID_BODY_HPP
 
@@ -23,7 +24,7 @@ struct Body {
   static constexpr double kArm = 0.12;              ///< of a motor along x and along y
   static constexpr double kTorqueOfThrust = 0.016;  ///< about the thrust, of a propeller
   static constexpr double kMotorLag = 0.015;
-  static constexpr double kDrag = 0.1;  ///< deceleration a speed through the air, 1/s; what a controller believes
+  static constexpr double kDrag = 0.1;  ///< level deceleration a speed through the air, 1/s; what a controller believes
   static constexpr double kThrustToWeight = 4.0;
   static Eigen::Vector3d inertia() { return {0.004, 0.004, 0.007}; }
 };

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
 
+#include "host/vehicle/ardupilot_cascade.hpp"
 #include "host/vehicle/geometric_controller.hpp"
 #include "host/vehicle/pose_error.hpp"
 #include "host/vehicle/px4_cascade.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 /// Steps of the rigid body and of the fastest loop.
 constexpr double kStep = 1e-3;
+constexpr std::int64_t kHoverSteps = 30000;
 
 tern::Vec3 vec3(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
@@ -38,7 +41,7 @@ class ShiftedVehicle : public Vehicle {
   ShiftedVehicle(const VehicleSettings& s, const Setpoint& start)
       : noise_(s.seed),
         tracking_(s.kind == "perfect" ? 0.0 : s.tracking_margin, noise_),
-        estimating_(s.pose_margin, s.pose_jumps, s.seed, noise_) {
+        estimating_(s.pose_margin, s.pose_jumps, s.pose_drift, s.seed, noise_) {
     place(0.0, start);
   }
 
@@ -68,26 +71,32 @@ class ShiftedVehicle : public Vehicle {
   tern::Vec3 velocity_{};
 };
 
+/// Flies `body` by what is believed of it.
 class FlownBody : public Vehicle {
  public:
   FlownBody(const VehicleSettings& s, const Setpoint& start)
       : noise_(s.seed),
-        estimating_(s.pose_margin, s.pose_jumps, s.seed, noise_),
-        wind_(s.wind, s.seed),
-        is_px4_(s.kind == "px4"),
-        cascade_(s.tick, s.px4_speed),
+        estimating_(s.pose_margin, s.pose_jumps, s.pose_drift, s.seed, noise_),
+        wind_(s.air, s.seed),
+        step_(is_stack(s.kind) && s.air.wind > 0.0 ? -kHoverSteps : 0),
+        lag_(static_cast<std::size_t>(s.pose_lag / kStep + 0.5)),
+        controller_(controller_of(s, start, kStep * static_cast<double>(step_))),
         body_(to_eigen(difference(start.sample.position, estimating_.at(0.0))),
-              to_eigen(difference({}, estimating_.rate_at(0.0))), start.yaw, s.drag) {}
+              to_eigen(difference({}, estimating_.rate_at(0.0))), start.yaw, s.air.drag) {
+    Setpoint still{};
+    still.sample.position = start.sample.position;
+    still.yaw = start.yaw;
+    note();
+    if (step_ < 0) fly_to(0.0, [&](double) { return still; });
+  }
 
   void fly_to(double t, const Setpoints& setpoints) override {
     // The steps' number is fixed by the time, so that rounding does not add one.
-    const auto last = static_cast<std::int64_t>(t / kStep + 0.5);
+    const auto last = static_cast<std::int64_t>(std::floor(t / kStep + 0.5));
     for (; step_ < last; ++step_) {
-      const double now = kStep * static_cast<double>(step_);
-      const Believed state = believed(now);
-      body_.command(is_px4_ ? cascade_.control(state, now, kStep, setpoints)
-                            : geometric_control(state, now, setpoints));
+      body_.command(controller_->control(believed(), kStep * static_cast<double>(step_), kStep, setpoints));
       body_.advance(kStep, wind_.advance(kStep));
+      note();
     }
   }
   tern::Vec3 position() const override { return vec3(body_.position()); }
@@ -96,32 +105,55 @@ class FlownBody : public Vehicle {
     const Eigen::Quaterniond q = body_.attitude();
     return {q.w(), q.x(), q.y(), q.z()};
   }
-  tern::Vec3 estimate() const override { return vec3(believed(kStep * static_cast<double>(step_)).position); }
+  tern::Vec3 estimate() const override { return vec3(believed().position); }
 
  private:
-  Believed believed(double t) const {
-    return {body_.position() + to_eigen(estimating_.at(t)), body_.velocity() + to_eigen(estimating_.rate_at(t)),
-            body_.attitude(), body_.body_rates()};
+  struct Place {
+    Eigen::Vector3d position, velocity;
+  };
+
+  static std::unique_ptr<Controller> controller_of(const VehicleSettings& s, const Setpoint& start, double begin) {
+    if (s.kind == "px4") return std::make_unique<Px4Cascade>(begin, s.tick, s.stack_speed);
+    if (s.kind == "ardupilot") return std::make_unique<ArdupilotCascade>(start, begin, s.tick, s.stack_speed);
+    return std::make_unique<GeometricController>();
+  }
+
+  /// What was flown so far, as far back as the estimate lags.
+  void note() {
+    flown_.push_back({body_.position(), body_.velocity()});
+    if (flown_.size() > lag_ + 1) flown_.pop_front();
+  }
+
+  /// While it still hovers, the estimate's error stands still.
+  Believed believed() const {
+    const double t = std::max(0.0, kStep * static_cast<double>(step_));
+    return {flown_.front().position + to_eigen(estimating_.at(t)),
+            flown_.front().velocity + to_eigen(estimating_.rate_at(t)), body_.attitude(), body_.body_rates()};
   }
 
   Noise noise_;
   PoseError estimating_;
   Wind wind_;
-  bool is_px4_;
-  Px4Cascade cascade_;
+  std::int64_t step_;
+  std::size_t lag_;
+  std::unique_ptr<Controller> controller_;
   RigidBody body_;
-  std::int64_t step_ = 0;
+  std::deque<Place> flown_;
 };
 
 }  // namespace
 
 const std::vector<std::string>& vehicle_kinds() {
-  static const std::vector<std::string> kinds{"perfect", "bounded", "quadrotor", "px4"};
+  static const std::vector<std::string> kinds{"perfect", "bounded", "quadrotor", "px4", "ardupilot"};
   return kinds;
 }
 
 bool is_rigid_body(const std::string& kind) {
-  return kind == "quadrotor" || kind == "px4";
+  return kind == "quadrotor" || is_stack(kind);
+}
+
+bool is_stack(const std::string& kind) {
+  return kind == "px4" || kind == "ardupilot";
 }
 
 std::unique_ptr<Vehicle> make_vehicle(const VehicleSettings& settings, const Setpoint& start) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "host/vehicle/air.hpp"
 #include "host/vehicle/pose_error.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
@@ -48,21 +49,26 @@ struct VehicleSettings {
   double tracking_margin = 0;  ///< of "bounded": its largest error, metres
   double pose_margin = 0;      ///< largest error of the estimate, metres, but for jumps beyond it
   PoseJumps pose_jumps;        ///< of the estimate
-  double wind = 0;             ///< mean speed of a gusty wind, m/s; for the rigid bodies
-  double drag = 0.1;           ///< deceleration a speed through the air, 1/s; for the rigid bodies
-  double px4_speed = 12;       ///< MPC_XY_VEL_MAX of "px4", m/s
+  double pose_drift = 0;       ///< of the estimate, m/s
+  double pose_lag = 0;         ///< how old the estimates are that rigid bodies are flown by, seconds
+  Air air;                     ///< for the rigid bodies
+  double stack_speed = 12;     ///< MPC_XY_VEL_MAX of "px4", WPNAV_SPEED of "ardupilot", m/s
   double tick = 0.01;          ///< seconds from one setpoint to the next, where they come as a stream
   std::uint64_t seed = 1;
 };
 
-/// perfect: no error. bounded: a smooth, seeded error. quadrotor: a rigid body under a geometric controller. px4: the
-/// same body under PX4's cascade.
+/// perfect: no error. bounded: a smooth, seeded error. quadrotor: a rigid body under a geometric controller. px4 and
+/// ardupilot: the same body under the cascades of the two stacks.
 const std::vector<std::string>& vehicle_kinds();
 
 /// True for the kinds that are rigid bodies.
 bool is_rigid_body(const std::string& kind);
 
-/// A vehicle that believes to hover at a setpoint at time 0: it is off that by the estimate's error.
+/// True for the kinds that have a flight stack's cascade.
+bool is_stack(const std::string& kind);
+
+/// A vehicle that believes to hover at a setpoint at time 0: it is off that by the estimate's error. Stacks have
+/// hovered there in the wind for 30 s, so that their integrators are settled.
 std::unique_ptr<Vehicle> make_vehicle(const VehicleSettings& settings, const Setpoint& start);
 
 }  // namespace tern_host

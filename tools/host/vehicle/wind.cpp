@@ -14,10 +14,11 @@ constexpr double kGustTime = 1.5;  // seconds over which gusts are alike
 
 }  // namespace
 
-Wind::Wind(double mean, std::uint64_t seed) : engine_(seed) {
-  const double from = boost::random::uniform_real_distribution<double>(0.0, kTurn)(engine_);
-  mean_ = mean * Eigen::Vector3d(std::cos(from), std::sin(from), 0.0);
-  deviation_ = mean * Eigen::Vector3d(1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0);
+Wind::Wind(const Air& air, std::uint64_t seed) : engine_(seed) {
+  const double seeded = boost::random::uniform_real_distribution<double>(0.0, kTurn)(engine_);
+  const double angle = air.has_angle ? air.angle : seeded;
+  mean_ = air.wind * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+  deviation_ = air.deviation() * Eigen::Vector3d(1.0, 1.0, 0.5);
 }
 
 Eigen::Vector3d Wind::advance(double step) {

@@ -8,13 +8,15 @@
 #include <boost/random/normal_distribution.hpp>
 #include <cstdint>
 
+#include "host/vehicle/air.hpp"
+
 namespace tern_host {
 
-/// A horizontal wind of constant mean from a seeded direction, with gusts: on each axis an Ornstein-Uhlenbeck process,
-/// which is Dryden turbulence of the first order. Their standard deviation is a third of the mean; upright, a sixth.
+/// A horizontal wind of constant mean, with gusts: on each axis an Ornstein-Uhlenbeck process, which is Dryden
+/// turbulence of the first order.
 class Wind {
  public:
-  Wind(double mean, std::uint64_t seed);
+  Wind(const Air& air, std::uint64_t seed);
   /// The wind after a further `step` seconds, m/s, world frame.
   Eigen::Vector3d advance(double step);
 
