@@ -159,11 +159,11 @@ TEST_F(CompanionFlies, GoesOnAroundAResetOfTheEstimate) {
 TEST_F(CompanionFlies, StaysInWhatItHasSeenWithoutFramesAndGoesOnWithThem) {
   double farthest = -100.0;
   const FlightOutcome outcome = fly_with([&farthest](double t, const FlightHands& hands) {
-    hands.camera_works = t < 5.0 || t > 16.0;
-    if (t < 16.0) farthest = std::max(farthest, hands.autopilot.vehicle().position().x);
+    hands.camera_works = t < 5.0 || t > 12.0;
+    if (t < 12.0) farthest = std::max(farthest, hands.autopilot.vehicle().position().x);
   });
   expect_reached(outcome);
-  EXPECT_GT(outcome.time, 16.0);
+  EXPECT_GT(outcome.time, 12.0);
   EXPECT_LT(farthest, world_.goal.x - 1.0);
   EXPECT_TRUE(says(outcome, "no frames of depth come")) << outcome.said;
   EXPECT_TRUE(says(outcome, "frames of depth come again"));

@@ -3,7 +3,7 @@
 #ifndef TERN_HOST_VEHICLE_RATE_LOOP_HPP
 #define TERN_HOST_VEHICLE_RATE_LOOP_HPP
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace tern_host {
 
