@@ -95,7 +95,6 @@ void Companion::take_goal(const GoalMessage& message, const Frame& frame) {
 }
 
 void Companion::take_depth(const tern_depth_header& header, const std::uint8_t* payload, std::int64_t now) {
-  latency_.arrived(header.stamp_ns, now);
   frame_at_ = std::max(frame_at_, header.stamp_ns);
   const std::string fault = sensors_.take(header, payload, now);
   if (!fault.empty()) say_once(fault);
@@ -131,7 +130,7 @@ void Companion::tick(std::int64_t now) {
   onboard_.tick(now);
   relay_notices();
   const tern_onboard::Status status = onboard_.status(now);
-  measure(status, now);
+  tell_of_map(status);
   if (now >= setpoint_due_) {
     setpoint_due_ = std::max(setpoint_due_ + kSetpointPeriod, now - kSetpointPeriod);
     send_setpoint(now);
@@ -181,19 +180,12 @@ void Companion::relay_notices() {
   }
 }
 
-void Companion::measure(const tern_onboard::Status& status, std::int64_t now) {
+void Companion::tell_of_map(const tern_onboard::Status& status) {
   if (status.state != tern_onboard::State::kFlying) return;
-  std::int64_t newest = 0;
-  for (const tern_onboard::SensorState& sensor : status.sensors) newest = std::max(newest, sensor.last_stamp);
-  latency_.entered(newest, now);
-  if (status.report.mode == tern::FlightMode::kRest) latency_.rested();
-  if (status.report.map_stale != map_stale_) {
-    map_stale_ = status.report.map_stale;
-    outputs_.say(map_stale_ ? kNoFramesText : "frames of depth come again");
-    autopilot_.say_to_ground(map_stale_ ? 4 : 6, map_stale_ ? kNoFramesText : "frames of depth come again");
-  }
-  if (status.report.committed != committed_) latency_.committed();
-  committed_ = status.report.committed;
+  if (status.report.map_stale == map_stale_) return;
+  map_stale_ = status.report.map_stale;
+  outputs_.say(map_stale_ ? kNoFramesText : "frames of depth come again");
+  autopilot_.say_to_ground(map_stale_ ? 4 : 6, map_stale_ ? kNoFramesText : "frames of depth come again");
 }
 
 void Companion::send_setpoint(std::int64_t now) {
@@ -218,7 +210,7 @@ void Companion::send_setpoint(std::int64_t now) {
   frame.resize(static_cast<std::size_t>(bytes));
   outputs_.send(frame);
   ++setpoints_;
-  latency_.sent(now);
+  onboard_.sent(now);
 }
 
 /// Whether the program is over.
@@ -253,7 +245,10 @@ std::string Companion::summary(std::int64_t now) const {
       static_cast<unsigned long long>(status.ticks_skipped), status.stray_max,
       static_cast<unsigned long long>(counts.frames), static_cast<unsigned long long>(counts.bad_checksum),
       static_cast<unsigned long long>(counts.version_1), static_cast<unsigned long long>(counts.with_signature));
-  return line + latency_.text();
+  const tern_onboard::FrameAges ages = onboard_.frame_ages();
+  return line + ("from an image's stamp, median / 99 % / most (images): to its arrival " + ages.to_arrival +
+                 ", to its entry into the map " + ages.to_map + ", to the first setpoint that rests on it " +
+                 ages.to_setpoint);
 }
 
 }  // namespace tern_companion

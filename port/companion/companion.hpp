@@ -16,7 +16,6 @@
 #include "companion/autopilot.hpp"
 #include "companion/engagement.hpp"
 #include "companion/goals.hpp"
-#include "companion/latency.hpp"
 #include "companion/sensor_table.hpp"
 #include "tern_onboard/onboard.hpp"
 
@@ -67,7 +66,7 @@ class Companion {
   void steer(std::int64_t now);
   void begin(std::int64_t now);
   void relay_notices();
-  void measure(const tern_onboard::Status& status, std::int64_t now);
+  void tell_of_map(const tern_onboard::Status& status);
   void send_setpoint(std::int64_t now);
   void judge(const tern_onboard::Status& status, std::int64_t now);
   void take_goal(const GoalMessage& message, const Frame& frame);
@@ -80,14 +79,12 @@ class Companion {
   tern_onboard::Onboard onboard_;
   SensorTable sensors_;
   FrameReader reader_;
-  Latency latency_;
   std::vector<tern::Via> mission_;  // what is to be flown
   Phase phase_ = Phase::kNoAutopilot;
   std::set<std::string> said_;
   std::optional<int> outcome_;
   std::int64_t frame_at_ = 0, moved_at_ = 0, setpoint_due_ = 0, retry_at_ = 0, arrived_at_ = 0, ended_at_ = 0,
                mode_due_ = 0;
-  std::uint32_t committed_ = 0;
   bool begun_ = false, ending_ = false, paused_ = false, map_stale_ = false;
   bool new_goal_ = false;  // one came since the flight was given up
   std::uint64_t setpoints_ = 0;

@@ -116,12 +116,12 @@ Answer Onboard::set_mounting(int sensor, const tern::Pose& in_body) {
 
 void Onboard::add_frame(int sensor, const DepthImage& image, std::int64_t now) {
   const std::lock_guard lock(mutex_);
-  sensors_.offer(sensor, image, now, notices_);
+  if (sensors_.offer(sensor, image, now, notices_)) latency_.arrived(sensors_.newest(sensor), now);
 }
 
 void Onboard::add_frame(int sensor, const PointScan& scan, std::int64_t now) {
   const std::lock_guard lock(mutex_);
-  sensors_.offer(sensor, scan, now, notices_);
+  if (sensors_.offer(sensor, scan, now, notices_)) latency_.arrived(sensors_.newest(sensor), now);
 }
 
 void Onboard::add_known_points(const std::vector<tern::Vec3>& points) {

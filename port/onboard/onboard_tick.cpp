@@ -36,6 +36,19 @@ void Onboard::tick(std::int64_t now) {
     time_ += spec_.tick;
     one_tick();
   }
+  std::int64_t newest = 0;
+  for (int k = 0; k < sensors_.count(); ++k) newest = std::max(newest, sensors_.state(k).last_stamp);
+  latency_.ticked(newest, status_.report.committed, status_.report.mode == tern::FlightMode::kRest, now);
+}
+
+void Onboard::sent(std::int64_t now) {
+  const std::lock_guard lock(mutex_);
+  latency_.sent(now);
+}
+
+FrameAges Onboard::frame_ages() const {
+  const std::lock_guard lock(mutex_);
+  return latency_.ages();
 }
 
 void Onboard::one_tick() {

@@ -53,30 +53,32 @@ std::string Sensors::set_mounting(int index, const tern::Pose& in_body) {
   return {};
 }
 
-void Sensors::offer(int index, const DepthImage& image, std::int64_t now, Notices& notices) {
+bool Sensors::offer(int index, const DepthImage& image, std::int64_t now, Notices& notices) {
   Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
   const std::int64_t stamp = image.stamp + std::llround(1e9 * sensor.spec.settings.time_offset);
-  if (!size_is_good(sensor, index, image, now, notices)) return;
-  if (!stamp_is_good(sensor, index, stamp, now, notices)) return;
+  if (!size_is_good(sensor, index, image, now, notices)) return false;
+  if (!stamp_is_good(sensor, index, stamp, now, notices)) return false;
   read(sensor, image, sensor.frame);
   sensor.frame.stamp = stamp;
+  return true;
 }
 
-void Sensors::offer(int index, const PointScan& scan, std::int64_t now, Notices& notices) {
+bool Sensors::offer(int index, const PointScan& scan, std::int64_t now, Notices& notices) {
   Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
   const std::int64_t stamp = scan.stamp + std::llround(1e9 * sensor.spec.settings.time_offset);
   if (!scan_is_whole(scan)) {
     notices.bad(Fault::kFrameInvalid, index, now,
                 called(index) + ": a scan is refused: it is empty, or its sizes do not agree with its bytes");
-    return;
+    return false;
   }
   if (!sensor.state.mounting_known) {
     notices.bad(Fault::kFrameUnready, index, now, called(index) + ": scans wait: its mounting is not known yet");
-    return;
+    return false;
   }
-  if (!stamp_is_good(sensor, index, stamp, now, notices)) return;
+  if (!stamp_is_good(sensor, index, stamp, now, notices)) return false;
   read(scan, sensor.frame);
   sensor.frame.stamp = stamp;
+  return true;
 }
 
 bool Sensors::size_is_good(const Sensor& sensor, int index, const DepthImage& image, std::int64_t now,

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tern/flight.hpp"
+#include "tern_onboard/latency.hpp"
 #include "tern_onboard/notices.hpp"
 #include "tern_onboard/poses.hpp"
 #include "tern_onboard/sensors.hpp"
@@ -114,6 +115,9 @@ class Onboard {
   std::int64_t next_tick(std::int64_t now) const;
   /// What to fly at time `now` or soon after it.
   Setpoint setpoint(std::int64_t now) const;
+  /// Says that setpoint(now) has been sent, for frame_ages().
+  void sent(std::int64_t now);
+  FrameAges frame_ages() const;
   Status status(std::int64_t now) const;
   std::vector<Notice> take_notices();
   Settings settings() const { return settings_; }
@@ -171,6 +175,7 @@ class Onboard {
   std::array<Flown, 64> flown_{};
   std::size_t flown_count_ = 0;
   Status status_;
+  Latency latency_;
   tern::Corridor corridor_{};  // of the last plan that was committed
   tern::Vec3 corridor_origin_{}, plan_origin_{};
   Setpoint hold_{};                // what to fly without a flight

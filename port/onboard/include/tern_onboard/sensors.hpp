@@ -84,8 +84,11 @@ class Sensors {
   std::string set_lens(int sensor, const Lens& lens);
   /// The sensor's pose in body axes. A depth camera's own axes are x right, y down, z ahead. Empty, or why not.
   std::string set_mounting(int sensor, const tern::Pose& in_body);
-  void offer(int sensor, const DepthImage& image, std::int64_t now, Notices& notices);
-  void offer(int sensor, const PointScan& scan, std::int64_t now, Notices& notices);
+  /// False if the frame is refused.
+  bool offer(int sensor, const DepthImage& image, std::int64_t now, Notices& notices);
+  bool offer(int sensor, const PointScan& scan, std::int64_t now, Notices& notices);
+  /// The stamp of the last frame that was offered and not refused.
+  std::int64_t newest(int sensor) const { return sensors_[static_cast<std::size_t>(sensor)].newest; }
   /// Begins to enter a frame, if one can be. To be called while the map is not busy.
   void enter(tern::RollingMap& map, const Poses& poses, std::int64_t now, Notices& notices);
   /// Forgets what waits, and all stamps: the clock or the map is a new one.

@@ -106,7 +106,8 @@ void write_cloud(const std::vector<tern::Vec3>& points, PointCloud2& cloud) {
 
 /// A flight's state as one diagnostic_msgs/DiagnosticStatus.
 template <typename DiagnosticStatus>
-void write_diagnostics(const tern_onboard::Status& status, std::int64_t now, DiagnosticStatus& message) {
+void write_diagnostics(const tern_onboard::Onboard& onboard, std::int64_t now, DiagnosticStatus& message) {
+  const tern_onboard::Status status = onboard.status(now);
   using tern_onboard::State;
   const bool threat = status.report.mode == tern::FlightMode::kThreat && status.state == State::kFlying;
   const bool bad = status.state == State::kLost || threat;
@@ -145,6 +146,10 @@ void write_diagnostics(const tern_onboard::Status& status, std::int64_t now, Dia
     put(sensor.name + ": age of the last frame, s",
         sensor.taken == 0 ? "none" : number(1e-9 * static_cast<double>(now - sensor.last_stamp)));
   }
+  const tern_onboard::FrameAges ages = onboard.frame_ages();
+  put("frames' age on arrival, median / 99 % / most", ages.to_arrival);
+  put("frames' age in the map", ages.to_map);
+  put("frames' age at the first setpoint that rests on them", ages.to_setpoint);
   for (std::size_t k = 0; k < tern_onboard::kFaults; ++k) {
     if (status.faults[k] == 0) continue;
     put(tern_onboard::fault_name(static_cast<tern_onboard::Fault>(k)), std::to_string(status.faults[k]));

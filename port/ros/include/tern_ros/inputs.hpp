@@ -158,6 +158,12 @@ bool read_px4_odometry(const VehicleOdometry& message, tern_onboard::StampedPose
   return true;
 }
 
+/// Whether a vehicle with this mavros_msgs/State follows setpoints: PX4 in offboard mode, ArduPilot in guided mode.
+template <typename State>
+bool follows_setpoints(const State& state) {
+  return state.armed && (state.mode == "OFFBOARD" || state.mode == "GUIDED");
+}
+
 }  // namespace tern_ros
 
 #endif

@@ -47,6 +47,7 @@ class TickLoop {
       onboard_.tick(now);
       if (now >= due || due - now > period_) {  // the second: the clock went back
         loop_.publish(now, onboard_.setpoint(now));
+        onboard_.sent(now);
         due = due <= now && now < due + period_ ? due + period_ : now + period_;
       }
       loop_.sleep_until(std::min(onboard_.next_tick(now), due));

@@ -47,25 +47,22 @@ ros::Time time_of(std::int64_t ns) {
   return time;
 }
 
-/// As ROS gives them: the default if one has another type.
+/// A parameter, or the default if there is none.
 auto parameters_of(const ros::NodeHandle& own) {
-  return [&own](const std::string& name, const auto& otherwise) { return own.param(name, otherwise); };
-}
-
-tern_onboard::Settings settings_of(const ros::NodeHandle& own) {
-  return tern_ros::read_settings([&own](const std::string& name, auto value) {
-    if (own.hasParam(name) && std::is_same_v<decltype(value), double> && !own.getParam(name, value)) {
-      throw std::invalid_argument("parameter " + name + " is refused: it is no number");
+  return [&own](const std::string& name, auto value) {
+    if (own.hasParam(name) && !own.getParam(name, value)) {
+      const bool number = std::is_same_v<decltype(value), double>;
+      throw std::invalid_argument("parameter " + name + " is refused: it is no " + (number ? "number" : "text"));
     }
-    return own.param(name, value);
-  });
+    return value;
+  };
 }
 
 class Node {
  public:
   Node()
       : options_(tern_ros::read_options(parameters_of(own_))),
-        onboard_(settings_of(own_)),
+        onboard_(tern_ros::read_settings(parameters_of(own_))),
         listener_(buffer_),
         topics_(
             onboard_, options_, [this](auto&&... args) { return find(args...); },
@@ -167,9 +164,8 @@ class Node {
   Send mavros_sender() {
 #ifdef TERN_ROS_HAS_MAVROS
     onboard_.set_following(false);  // until the autopilot says so
-    on<mavros_msgs::State>("mavros/state", 4, [this](const mavros_msgs::State& m) {
-      onboard_.set_following(m.armed != 0 && (m.mode == "OFFBOARD" || m.mode == "GUIDED"));
-    });
+    on<mavros_msgs::State>("mavros/state", 4,
+                           [this](const auto& m) { onboard_.set_following(tern_ros::follows_setpoints(m)); });
     return [this, publisher = node_.advertise<mavros_msgs::PositionTarget>("mavros/setpoint_raw/local", 4)](
                std::int64_t now, const tern_onboard::Setpoint& setpoint) {
       if (!setpoint.valid) return;
@@ -194,7 +190,7 @@ class Node {
     markers_.publish(markers);
     diagnostic_msgs::DiagnosticArray diagnostics;
     diagnostics.status.resize(1);
-    tern_ros::write_diagnostics(onboard_.status(now), now, diagnostics.status[0]);
+    tern_ros::write_diagnostics(onboard_, now, diagnostics.status[0]);
     publish(diagnostics_, now, diagnostics);
     std::vector<tern::Vec3> obstacles;
     if (map_.getNumSubscribers() == 0 || !onboard_.obstacles(obstacles)) return;

@@ -72,9 +72,8 @@ inline Send make_mavros_sender(const SenderParts& parts) {
   using mavros_msgs::msg::State;
   tern_onboard::Onboard& onboard = parts.onboard;
   onboard.set_following(false);  // until the autopilot says so
-  parts.on<State>("mavros/state", [&onboard](const State& message) {
-    onboard.set_following(message.armed && (message.mode == "OFFBOARD" || message.mode == "GUIDED"));
-  });
+  parts.on<State>("mavros/state",
+                  [&onboard](const State& message) { onboard.set_following(follows_setpoints(message)); });
   return make_stamped_sender<PositionTarget>(
       parts, "mavros/setpoint_raw/local",
       [](const auto& setpoint, auto& message) { write_position_target(setpoint, message); });

@@ -45,7 +45,7 @@ class Node : public LifecycleNode {
   CallbackReturn on_configure(const rclcpp_lifecycle::State&) override {
     try {
       set_up();
-    } catch (const std::invalid_argument& fault) {
+    } catch (const std::exception& fault) {  // also rclcpp's, of a parameter with another type
       RCLCPP_FATAL(get_logger(), "%s", fault.what());
       return CallbackReturn::FAILURE;
     }
@@ -197,7 +197,7 @@ class Node : public LifecycleNode {
     markers_->publish(markers);
     diagnostic_msgs::msg::DiagnosticArray diagnostics;
     diagnostics.status.resize(1);
-    tern_ros::write_diagnostics(onboard_->status(now), now, diagnostics.status[0]);
+    tern_ros::write_diagnostics(*onboard_, now, diagnostics.status[0]);
     stamp(diagnostics, now);
     diagnostics_->publish(diagnostics);
     std::vector<tern::Vec3> obstacles;
