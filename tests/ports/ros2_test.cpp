@@ -232,6 +232,8 @@ TEST_F(Ros2, RefusesParametersByName) {
   bus().parameters["cell"] = -1.0;
   EXPECT_EQ(run(), 1);
   EXPECT_TRUE(log_has("parameter cell = -1 m is refused: allowed are from 0.02 to 2 m"));
+  bus().parameters["cell"] = std::string("small");
+  EXPECT_EQ(run(), 1);
   bus().parameters.erase("cell");
   bus().parameters["output"] = std::string("joystick");
   EXPECT_EQ(run(), 1);
