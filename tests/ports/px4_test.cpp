@@ -246,7 +246,7 @@ TEST_F(Offboard, StopsAlongThePlanAndEndsThere) {
   EXPECT_LT(px4.seconds(), 2.1);
 }
 
-/// The module's kSpeed, or 0.7 of MPC_XY_VEL_MAX where that is less.
+/// v_horizontal of the map, or 0.7 of MPC_XY_VEL_MAX where that is less.
 TEST_F(Offboard, KeepsTheRateTheLimitsAndTheDerivatives) {
   for (const float parameter : {12.0f, 1.0f}) {
     px4 = Px4{};
@@ -257,7 +257,7 @@ TEST_F(Offboard, KeepsTheRateTheLimitsAndTheDerivatives) {
 }
 TEST_F(Offboard, GoesRoundTheBox) {
   px4.script = [] { switch_mode(px4.seconds()); };
-  ASSERT_EQ(call({"tern_offboard", "start", "10", "0", "2"}), 0);
+  ASSERT_EQ(call({"tern_offboard", "start", "10", "0", "2", TERN_PX4_WORLD, "blind"}), 0);
   ASSERT_GT(px4.setpoints.size(), 1000u);
   for (const trajectory_setpoint_s& s : px4.setpoints) {
     // East 4 .. 5, north -3 .. 3, up 0 .. 5; the radius and the margin are 1 m.
@@ -270,18 +270,18 @@ TEST_F(Offboard, GoesRoundTheBox) {
 
 TEST_F(Offboard, RefusesWhatItCannotFly) {
   px4.script = [] { switch_mode(px4.seconds()); };
-  EXPECT_EQ(call({"tern_offboard", "start", "4.5", "0", "2"}), 0);  // in the box
+  EXPECT_EQ(call({"tern_offboard", "start", "4.5", "0", "2", TERN_PX4_WORLD, "blind"}), 0);  // in the box
   for (const float speed : {0.0f, -1.0f, 1200.0f, std::numeric_limits<float>::quiet_NaN()}) {
     px4.speed_parameter = speed;
-    EXPECT_EQ(call({"tern_offboard", "start", "10", "2", "2"}), 0);
+    EXPECT_EQ(fly(switch_mode), 0);
   }
   px4 = Px4{};
   px4.status.nav_state = kOffboard;  // somebody else's
-  EXPECT_EQ(call({"tern_offboard", "start", "10", "2", "2"}), 0);
+  EXPECT_EQ(fly([](double) {}), 0);
   for (const char* word : {"", "1O", "2,5", "nan", "1e9"}) {
-    EXPECT_NE(call({"tern_offboard", "start", "10", word, "2"}), 0) << word;
+    EXPECT_NE(call({"tern_offboard", "start", "10", word, "2", TERN_PX4_WORLD}), 0) << word;
   }
-  EXPECT_NE(call({"tern_offboard", "start", "10"}), 0);
+  EXPECT_NE(call({"tern_offboard", "start", "10", "2", "2"}), 0);  // no map
   EXPECT_NE(call({"tern_offboard"}), 0);
   EXPECT_TRUE(px4.setpoints.empty());
   EXPECT_TRUE(px4.modes.empty());

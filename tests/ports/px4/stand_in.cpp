@@ -58,16 +58,26 @@ bool orb_publish(const orb_metadata* topic, const void* message) {
   return true;
 }
 
-bool orb_copy(const orb_metadata* topic, void* message) {
+bool orb_copy(const orb_metadata* topic, uint8_t instance, void* message) {
   if (std::strcmp(topic->name, "vehicle_status") == 0) {
     *static_cast<vehicle_status_s*>(message) = px4.status;
   } else if (std::strcmp(topic->name, "vehicle_land_detected") == 0) {
     *static_cast<vehicle_land_detected_s*>(message) = px4.land;
+  } else if (std::strcmp(topic->name, "vehicle_attitude") == 0) {
+    *static_cast<vehicle_attitude_s*>(message) = px4.attitude();
+  } else if (std::strcmp(topic->name, "distance_sensor") == 0) {
+    *static_cast<distance_sensor_s*>(message) = px4.distances[instance].message;
+  } else if (std::strcmp(topic->name, "obstacle_distance") == 0) {
+    *static_cast<obstacle_distance_s*>(message) = px4.ring.message;
   } else {
     if (!px4.is_stale) px4.local.timestamp = px4.now;
     *static_cast<vehicle_local_position_s*>(message) = px4.local;
   }
   return true;
+}
+
+unsigned orb_sent(const orb_metadata* topic, uint8_t instance) {
+  return std::strcmp(topic->name, "obstacle_distance") == 0 ? px4.ring.sent : px4.distances[instance].sent;
 }
 
 }  // extern "C"

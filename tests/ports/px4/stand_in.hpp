@@ -13,8 +13,11 @@
 #include <vector>
 
 #include "drivers/drv_hrt.h"
+#include "uORB/topics/distance_sensor.h"
+#include "uORB/topics/obstacle_distance.h"
 #include "uORB/topics/offboard_control_mode.h"
 #include "uORB/topics/trajectory_setpoint.h"
+#include "uORB/topics/vehicle_attitude.h"
 #include "uORB/topics/vehicle_land_detected.h"
 #include "uORB/topics/vehicle_local_position.h"
 #include "uORB/topics/vehicle_status.h"
@@ -24,6 +27,17 @@ constexpr uint8_t kPosition = vehicle_status_s::NAVIGATION_STATE_POSCTL;
 constexpr uint8_t kReturn = vehicle_status_s::NAVIGATION_STATE_AUTO_RTL;
 constexpr uint8_t kArmed = vehicle_status_s::ARMING_STATE_ARMED;
 constexpr uint8_t kDisarmed = vehicle_status_s::ARMING_STATE_DISARMED;
+
+/// The last message of a sensor, and how many there were.
+template <typename Message>
+struct Sent {
+  Message message{};
+  unsigned sent = 0;
+  void send(const Message& next) {
+    message = next;
+    ++sent;
+  }
+};
 
 struct Px4 {
   hrt_abstime now = 1000000;
@@ -35,6 +49,8 @@ struct Px4 {
   float speed_parameter = 12.0f;  ///< MPC_XY_VEL_MAX
   std::function<void()> script;   ///< runs after each sleep
   int stack = 0;
+  Sent<distance_sensor_s> distances[4];
+  Sent<obstacle_distance_s> ring;
   std::vector<trajectory_setpoint_s> setpoints;
   std::vector<offboard_control_mode_s> modes;
 
@@ -58,6 +74,11 @@ struct Px4 {
     local.vx = s.velocity[0];
     local.vy = s.velocity[1];
     local.vz = s.velocity[2];
+    local.heading = s.yaw;
+  }
+  /// Level.
+  vehicle_attitude_s attitude() const {
+    return {now, {std::cos(0.5f * local.heading), 0.0f, 0.0f, std::sin(0.5f * local.heading)}};
   }
 };
 
@@ -80,11 +101,11 @@ inline double speed(const trajectory_setpoint_s& s) {
   return std::hypot(std::hypot(s.velocity[0], s.velocity[1]), s.velocity[2]);
 }
 
-/// Flies to (10, 2, 2) in east, north, up; returns the module's answer. `script` runs after each period, with the time
-/// in seconds.
+/// Flies to (10, 2, 2) in east, north, up, by the map of port/px4 alone; returns the module's answer. `script` runs
+/// after each period, with the time in seconds.
 inline int fly(const std::function<void(double)>& script) {
   px4.script = [script] { script(px4.seconds()); };
-  return call({"tern_offboard", "start", "10", "2", "2"});
+  return call({"tern_offboard", "start", "10", "2", "2", TERN_PX4_WORLD, "blind"});
 }
 
 /// The pilot's switch: offboard from kSwitch to kEnd.

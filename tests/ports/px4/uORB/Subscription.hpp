@@ -1,7 +1,5 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// A stand-in for PX4's header.
 #pragma once
 
 #include <uORB/uORB.h>
@@ -10,11 +8,20 @@ namespace uORB {
 
 class Subscription {
  public:
-  explicit Subscription(const orb_metadata* topic) : topic_(topic) {}
-  bool copy(void* message) { return orb_copy(topic_, message); }
+  explicit Subscription(const orb_metadata* topic, uint8_t instance = 0) : topic_(topic), instance_(instance) {}
+  bool copy(void* message) { return orb_copy(topic_, instance_, message); }
+  /// Copies a message that is new to this subscription.
+  bool update(void* message) {
+    const unsigned sent = orb_sent(topic_, instance_);
+    if (sent == seen_) return false;
+    seen_ = sent;
+    return copy(message);
+  }
 
  private:
   const orb_metadata* topic_;
+  uint8_t instance_;
+  unsigned seen_ = 0;
 };
 
 }  // namespace uORB

@@ -15,4 +15,5 @@ struct orb_metadata {
 #define ORB_DECLARE(topic) static const orb_metadata orb_metadata_of_##topic = {#topic, sizeof(topic##_s)}
 
 extern "C" bool orb_publish(const orb_metadata* topic, const void* message);
-extern "C" bool orb_copy(const orb_metadata* topic, void* message);
+extern "C" bool orb_copy(const orb_metadata* topic, uint8_t instance, void* message);
+extern "C" unsigned orb_sent(const orb_metadata* topic, uint8_t instance);  // how many messages were

@@ -4,54 +4,40 @@
 // From the switch to offboard to the hover at the end.
 #pragma once
 
-#include <math.h>
 #include <px4_platform_common/log.h>
 
 #include "planning.hpp"
+#include "range_sensors.hpp"
 
 namespace tern_offboard {
 
-constexpr hrt_abstime kPeriod = 20000;     // us: 50 Hz
-constexpr hrt_abstime kPlanning = 10000;   // us of each period, while a plan is made in flight
-constexpr double kStartTolerance = 0.1;    // m from the plan's start at the switch; farther away, a new plan is made
-constexpr double kStartHeading = 0.2;      // rad, likewise
-constexpr double kRestSpeed = 0.3;         // m/s
-constexpr double kStopDeceleration = 3.0;  // m/s^2
-
-inline tern::Vec3 difference(const tern::Vec3& a, const tern::Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-inline double length(const tern::Vec3& v) {
-  return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
+constexpr hrt_abstime kPeriod = 20000;  // us: 50 Hz
+constexpr double kRestSpeed = 0.3;      // m/s
 
 /// Says what to send, tick by tick. Proof of life is always sent, and setpoints only while the armed vehicle flies in
 /// offboard.
-class Flight {
+class Offboard {
  public:
-  /// The plan that is made leads from the hover that was seen.
-  explicit Flight(const Seen& seen) : last_(seen.now), from_(seen.here), has_plan_(true) { remember(seen); }
+  /// `seen`: what the map was made for. `is_blind`: it flies by the map alone.
+  Offboard(const Seen& seen, const tern::Vec3& goal, bool is_blind)
+      : last_(seen.now), goal_(goal), is_blind_(is_blind) {
+    remember(seen);
+  }
 
-  void tick(const Seen& seen, Topics& topics) {
-    hrt_abstime step = seen.now - last_;
+  void tick(const Seen& seen, Topics& topics, RangeSensors& sensors) {
+    const hrt_abstime step = phase_ == Phase::kFlying ? seen.now - last_ : 0;
     last_ = seen.now;
     topics.publish_mode();
+    sensors.look(seen.now);
     if (!seen.offboard || !seen.flying) return leave();
     if (!seen.valid) {
       PX4_ERR("no valid estimate: the stream ends");
       is_over_ = true;
       return;
     }
-    if (phase_ == Phase::kWaiting) {
-      enter(seen);
-      step = 0;
-    }
-    if (phase_ == Phase::kHovering) return hover(seen, topics);
-    if (is_reset(seen)) slow_down(seen, "the estimator was reset", true);
-    if (step > kLongest) slow_down(seen, "the stream stood still", true);
-    if (wants_end_) slow_down(seen, "stop", false);
-    fly(step > kLongest ? kPeriod : step, topics);
+    if (phase_ == Phase::kWaiting) hover_at(seen.here);
+    if (phase_ == Phase::kHovering) hover(seen, topics, sensors);
+    if (phase_ == Phase::kFlying) fly(seen, step, topics, sensors);
   }
 
   /// Comes to rest, and then ends the stream.
@@ -59,125 +45,137 @@ class Flight {
   bool is_over() const { return is_over_; }
 
  private:
-  enum class Phase { kWaiting, kHovering, kFlying, kStopping };
+  enum class Phase { kWaiting, kHovering, kFlying };
 
   void remember(const Seen& seen) { memcpy(resets_, seen.resets, sizeof resets_); }
   bool is_reset(const Seen& seen) const { return memcmp(resets_, seen.resets, sizeof resets_) != 0; }
-
-  /// At rest at the start of the plan, in the frame that it was made in.
-  bool is_at_start(const Seen& seen) const {
-    const double turned = fabs(remainder(seen.here.heading - from_.heading, 6.28318530717958648));
-    return length(difference(seen.here.position, from_.position)) <= kStartTolerance && turned <= kStartHeading &&
-           seen.speed <= kRestSpeed && !is_reset(seen);
-  }
 
   /// The pilot took over, or the vehicle landed or disarmed: the next switch to offboard begins anew.
   void leave() {
     is_over_ = wants_end_ || has_arrived_;
     if (phase_ == Phase::kWaiting) return;
     PX4_INFO("left offboard");
-    has_plan_ = false;
     phase_ = Phase::kWaiting;
   }
 
-  void enter(const Seen& seen) {
-    if (has_plan_ && is_at_start(seen)) return begin();
-    PX4_INFO("not at rest at the plan's start: a new plan from here");
-    hover_at(seen.here, true);
-    remember(seen);
-  }
-
-  void begin() {
-    PX4_INFO("plan of %d ms", static_cast<int>(1000.0 * tern::duration(the_plan())));
-    phase_ = Phase::kFlying;
-    time_ = 0.0;
-    rate_ = 1.0;
-    shift_ = {0.0, 0.0, 0.0};
-  }
-
-  void hover_at(const Hover& hover, bool wants_plan) {
+  void hover_at(const Hover& here) {
     phase_ = Phase::kHovering;
-    from_ = hover;
-    wants_plan_ = wants_plan;
-    is_planning_ = false;
+    hover_ = here;
+    is_refused_ = waits_ = false;
   }
 
-  void hover(const Seen& seen, Topics& topics) {
-    if (is_reset(seen)) hover_at(seen.here, wants_plan_);  // or the vehicle would fly as far as the estimate jumped
-    remember(seen);
-    tern::Sample sample{};
-    sample.position = from_.position;
-    topics.publish(sample, yaw_at(from_.heading));
+  /// Until the vehicle rests and the flight can begin.
+  void hover(const Seen& seen, Topics& topics, const RangeSensors& sensors) {
+    if (is_reset(seen)) {
+      remember(seen);
+      needs_map_ = true;
+      hover_at(seen.here);  // or the vehicle would fly as far as the estimate jumped
+    }
+    const bool rests = seen.speed <= kRestSpeed;
     if (wants_end_) {
-      is_over_ = seen.speed <= kRestSpeed;
-    } else if (wants_plan_) {
-      plan_on(seen);
+      is_over_ = rests;
+    } else if (rests && !is_refused_ && can_begin(seen, sensors)) {
+      begin(seen);
+      if (phase_ == Phase::kFlying) return;
     }
+    tern::Sample sample{};
+    sample.position = hover_.position;
+    topics.publish(sample, yaw_at(hover_.heading));
   }
 
-  void plan_on(const Seen& seen) {
-    if (!is_planning_) {
-      if (!is_at_start(seen)) return;
-      status_ = begin_plan(from_);
-      is_planning_ = true;
-    }
-    while (status_ == tern::Status::kRunning && hrt_absolute_time() - seen.now < kPlanning) status_ = advance_plan(20);
-    if (status_ == tern::Status::kRunning) return;
-    wants_plan_ = false;
-    if (finish_plan(from_)) begin();
+  bool can_begin(const Seen& seen, const RangeSensors& sensors) {
+    if (is_blind_ || sensors.are_there(seen.now)) return true;
+    if (!waits_) PX4_ERR("no range sensor: hovering");
+    waits_ = true;
+    return false;
   }
 
-  /// Comes to rest along the plan, whose path is clear. Where the estimate or the time has jumped, it goes on along a
-  /// path of the same form from where the vehicle is.
-  void slow_down(const Seen& seen, const char* reason, bool has_jumped) {
-    const tern::Sample at = tern::evaluate(the_plan(), time_);
-    if (has_jumped) shift_ = difference(seen.here.position, at.position);
+  void begin(const Seen& seen) {
+    is_refused_ = !begin_flight(hover_, goal_, !is_blind_, needs_map_, seen.now);
+    if (is_refused_) return;
+    needs_map_ = is_lost_ = are_silent_ = has_stopped_ = has_arrived_ = false;
+    shift_ = {0.0, 0.0, 0.0};
+    report_ = tern::FlightReport{};
+    phase_ = Phase::kFlying;
+  }
+
+  void fly(const Seen& seen, hrt_abstime step, Topics& topics, RangeSensors& sensors) {
+    const int64_t now = nanoseconds(seen.now);
+    if (step > kLongest) {
+      the_flight().set_clock(now);  // or the setpoint would leap ahead
+      end("the stream stood still");
+    }
+    if (is_reset(seen)) move_on(seen, now);
+    if (wants_end_) end("stop");
+    if (!is_blind_ && !is_lost_) sensors.enter(the_map(), seen);
+    send(now, topics);
+    const tern::FlightReport before = report_;
+    the_flight().tick(now, report_);
+    say(before);
+    if (!is_blind_ && !has_stopped_) watch_sensors(!sensors.are_there(seen.now));
+    const bool rests = report_.mode == tern::FlightMode::kRest;
+    has_arrived_ = rests && report_.reason == tern::FlightReason::kArrived;
+    if (wants_end_ && rests) is_over_ = true;
+  }
+
+  /// The estimate has jumped, and the setpoints go with it: or the vehicle would fly as far. The map fits no longer.
+  void move_on(const Seen& seen, int64_t now) {
     remember(seen);
-    if (phase_ == Phase::kStopping) return;
-    PX4_ERR("%s: coming to rest", reason);
-    phase_ = Phase::kStopping;
-    heading_ = seen.here.heading;
-    stop_time_ = fmax(0.5, length(at.velocity) / kStopDeceleration);
+    shift_ = difference(seen.here.position, the_flight().command(now).sample.position);
+    hover_.heading = seen.here.heading;
+    needs_map_ = is_lost_ = true;
+    end("the estimator was reset");
   }
 
-  void fly(hrt_abstime step, Topics& topics) {
-    const double dt = static_cast<double>(step) * 1e-6;
-    const bool stops = phase_ == Phase::kStopping;
-    const double rate = stops ? fmax(0.0, rate_ - dt / stop_time_) : 1.0;  // seconds of the plan in a second
-    time_ += 0.5 * (rate_ + rate) * dt;
-    rate_ = rate;
-    tern::Sample at = tern::evaluate(the_plan(), time_);
-    at.position = {at.position.x + shift_.x, at.position.y + shift_.y, at.position.z + shift_.z};
-    if (!stops) {
-      topics.publish(at, tern::evaluate(the_yaw_plan(), time_));
-      if (!has_arrived_ && time_ >= tern::duration(the_plan())) PX4_INFO("arrived");
-      has_arrived_ = time_ >= tern::duration(the_plan());
-      return;
+  /// Comes to rest, and does not go on.
+  void end(const char* reason) {
+    if (has_stopped_) return;
+    PX4_ERR("%s: coming to rest", reason);
+    has_stopped_ = true;
+    the_flight().stop();
+  }
+
+  /// Comes to rest while the sensors are silent.
+  void watch_sensors(bool are_silent) {
+    if (are_silent == are_silent_) return;
+    are_silent_ = are_silent;
+    if (are_silent) {
+      PX4_ERR("the range sensors are silent: coming to rest");
+      the_flight().stop();
+    } else {
+      PX4_INFO("the range sensors are back: going on");
+      the_flight().set_goal(goal_);
     }
-    const double brake = rate > 0.0 ? 1.0 / stop_time_ : 0.0;
-    const tern::Vec3 v = at.velocity;
-    const tern::Vec3 a = at.acceleration;
-    at.velocity = {rate * v.x, rate * v.y, rate * v.z};
-    at.acceleration = {rate * rate * a.x - brake * v.x, rate * rate * a.y - brake * v.y,
-                       rate * rate * a.z - brake * v.z};
-    at.jerk = {0.0, 0.0, 0.0};
-    topics.publish(at, yaw_at(heading_));
-    if (!(rate > 0.0)) hover_at({at.position, heading_}, false);
+  }
+
+  void send(int64_t now, Topics& topics) const {
+    tern::Sample at = the_flight().command(now).sample;
+    at.position = {at.position.x + shift_.x, at.position.y + shift_.y, at.position.z + shift_.z};
+    topics.publish(at, is_lost_ ? yaw_at(hover_.heading) : the_flight().yaw(now));
+  }
+
+  void say(const tern::FlightReport& before) const {
+    if (report_.mode == before.mode && report_.reason == before.reason) return;
+    PX4_INFO("%s: %s", tern::flight_mode_name(report_.mode), tern::flight_reason_text(report_.reason));
+    if (report_.blocked_by == tern::BlockedBy::kNothing) return;
+    const tern::Vec3& at = report_.blocked_at;
+    PX4_INFO("in the way: %s at %.2f %.2f %.2f", tern::blocked_by_text(report_.blocked_by), at.x, at.y, at.z);
   }
 
   Phase phase_ = Phase::kWaiting;
   hrt_abstime last_;
-  Hover from_;  ///< where the plan begins, or where to hover
+  tern::Vec3 goal_;
+  bool is_blind_;
+  Hover hover_{};  ///< where to hover; in flight, its heading is that of a reset
   uint8_t resets_[5];
-  bool has_plan_;
-  bool wants_plan_ = false;
-  bool is_planning_ = false;
-  tern::Status status_ = tern::Status::kOk;  ///< of the plan that is made
-  double time_ = 0.0;                        ///< on the plan, s
-  double rate_ = 1.0;
-  double stop_time_ = 1.0;  ///< s from full speed to rest
-  double heading_ = 0.0;    ///< while coming to rest
-  tern::Vec3 shift_{};      ///< of the plan
+  tern::FlightReport report_{};
+  tern::Vec3 shift_{};        ///< of the setpoints, since a reset
+  bool needs_map_ = false;    ///< a reset has made it wrong
+  bool is_lost_ = false;      ///< likewise, in this flight
+  bool is_refused_ = false;   ///< no flight from this hover
+  bool waits_ = false;        ///< it was said that sensors are missing
+  bool are_silent_ = false;   ///< the sensors
+  bool has_stopped_ = false;  ///< for good
   bool has_arrived_ = false;
   bool wants_end_ = false;
   bool is_over_ = false;

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <uORB/topics/offboard_control_mode.h>
 #include <uORB/topics/trajectory_setpoint.h>
+#include <uORB/topics/vehicle_attitude.h>
 #include <uORB/topics/vehicle_land_detected.h>
 #include <uORB/topics/vehicle_local_position.h>
 #include <uORB/topics/vehicle_status.h>
@@ -36,7 +37,16 @@ struct Seen {
   Hover here;
   double speed;
   uint8_t resets[5];  ///< how often the estimator has reset position, velocity and heading
+  float attitude[4];  ///< quaternion (w, x, y, z) of the body; zeros if there is none
 };
+
+inline tern::Vec3 difference(const tern::Vec3& a, const tern::Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline double length(const tern::Vec3& v) {
+  return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
 
 inline bool is_valid(const vehicle_local_position_s& local, hrt_abstime now) {
   const bool fresh = local.timestamp + kLongest >= now && local.timestamp <= now + kLongest;
@@ -51,6 +61,7 @@ class Topics {
     vehicle_status_s status{};
     vehicle_land_detected_s land{};
     vehicle_local_position_s local{};
+    vehicle_attitude_s attitude{};
     const bool has_status = statuses_.copy(&status);
     const bool landed = lands_.copy(&land) && land.landed;
     const bool has_local = positions_.copy(&local);
@@ -66,6 +77,9 @@ class Topics {
     const uint8_t resets[] = {local.xy_reset_counter, local.z_reset_counter, local.vxy_reset_counter,
                               local.vz_reset_counter, local.heading_reset_counter};
     memcpy(seen.resets, resets, sizeof resets);
+    if (attitudes_.copy(&attitude) && attitude.timestamp + kLongest >= seen.now) {
+      memcpy(seen.attitude, attitude.q, sizeof seen.attitude);
+    }
     return seen;
   }
 
@@ -96,6 +110,7 @@ class Topics {
   uORB::Subscription statuses_{ORB_ID(vehicle_status)};
   uORB::Subscription lands_{ORB_ID(vehicle_land_detected)};
   uORB::Subscription positions_{ORB_ID(vehicle_local_position)};
+  uORB::Subscription attitudes_{ORB_ID(vehicle_attitude)};
 };
 
 }  // namespace tern_offboard

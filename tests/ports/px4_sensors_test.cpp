@@ -1,0 +1,315 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// port/px4's module with range sensors: what they show, what the vehicle then does, and what maps are refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "stand_in.hpp"
+
+namespace {
+
+struct Solid {
+  double lower[3], upper[3];  // east, north, up
+};
+
+// In the way from (-2, 0.5, 1.5) to (10, 2, 2), and not in the map.
+constexpr Solid kPillar = {{3.0, 0.6, 0.0}, {3.6, 1.6, 5.0}};
+
+/// How far the solid is from (east, north, up).
+double distance_of(const Solid& solid, const double* p) {
+  double square = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double d = std::max({solid.lower[k] - p[k], p[k] - solid.upper[k], 0.0});
+    square += d * d;
+  }
+  return std::sqrt(square);
+}
+
+/// How far a ray from the vehicle goes until it meets the solid; 100 if it does not. Angles clockwise from north, and
+/// up.
+double range_of(const Solid& solid, double bearing, double up) {
+  const double from[3] = {px4.local.y, px4.local.x, -px4.local.z};
+  const double along[3] = {std::sin(bearing) * std::cos(up), std::cos(bearing) * std::cos(up), std::sin(up)};
+  double enter = 0.0, leave = 100.0;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (solid.lower[k] - from[k]) / along[k], b = (solid.upper[k] - from[k]) / along[k];
+    if (std::isnan(a) || std::isnan(b)) continue;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter < leave ? enter : 100.0;
+}
+
+/// The nearest thing in a part of the view.
+double nearest(const Solid& solid, double bearing, double width, double height) {
+  double least = 100.0;
+  for (int row = -10; row <= 10; ++row) {
+    for (int column = -10; column <= 10; ++column) {
+      least = std::min(least, range_of(solid, bearing + 0.05 * width * column, 0.05 * height * row));
+    }
+  }
+  return least;
+}
+
+/// What a sensor that looks ahead says.
+distance_sensor_s ahead(const Solid& solid, float h_fov, float v_fov) {
+  distance_sensor_s sensor{};
+  sensor.timestamp = px4.now;
+  sensor.min_distance = 0.2f;
+  sensor.max_distance = 12.0f;
+  sensor.h_fov = h_fov;
+  sensor.v_fov = v_fov;
+  sensor.signal_quality = 100;
+  const double heading = static_cast<double>(px4.local.heading);
+  sensor.current_distance = static_cast<float>(nearest(solid, heading, h_fov, v_fov));
+  return sensor;
+}
+
+/// The same by a sensor whose attitude is a quaternion: rolled over.
+distance_sensor_s ahead_by_quaternion(const Solid& solid) {
+  distance_sensor_s sensor = ahead(solid, 0.35f, 0.06f);
+  sensor.orientation = distance_sensor_s::ROTATION_CUSTOM;
+  sensor.q[1] = 1.0f;
+  return sensor;
+}
+
+obstacle_distance_s around(const Solid& solid, uint8_t frame) {
+  obstacle_distance_s ring{};
+  ring.timestamp = px4.now;
+  ring.frame = frame;
+  ring.increment = 5.0f;
+  ring.min_distance = 20;
+  ring.max_distance = 1200;
+  const bool is_body = frame == obstacle_distance_s::MAV_FRAME_BODY_FRD;
+  for (int k = 0; k < 72; ++k) {
+    const double bearing = (is_body ? static_cast<double>(px4.local.heading) : 0.0) + k * 0.0872665;
+    const double range = nearest(solid, bearing, 0.0872665, 0.0);
+    ring.distances[k] = range < 12.0 ? static_cast<uint16_t>(100.0 * range) : uint16_t{1201};
+  }
+  return ring;
+}
+
+/// Sends what `measure` says with 10 Hz.
+template <typename Message, typename Measure>
+void send(Sent<Message>& sensor, const Measure& measure) {
+  if ((px4.now / 20000) % 5 == 0) sensor.send(measure());
+}
+
+std::string map_file(const std::string& lines) {
+  const std::string path = testing::TempDir() + "px4_map.txt";
+  std::ofstream(path) << lines;
+  return path;
+}
+
+const char* const kOpen =
+    "boundary -5 -10 0.5 15 10 6  # free\nresolution 0.4\nradius 0.3\n\ntracking_margin 0.3\nv_horizontal 1\nv_max 2 "
+    "2 1\nstart 0 0 1\n";
+
+/// Flies to (10, 2, 2) with a map of these lines.
+int fly_with(const std::string& lines, const std::function<void(double)>& script, bool is_blind = false) {
+  px4.script = [script] { script(px4.seconds()); };
+  std::vector<std::string> words = {"tern_offboard", "start", "10", "2", "2", map_file(lines)};
+  if (is_blind) words.push_back("blind");
+  return call(words);
+}
+
+double least_distance(const Solid& solid) {
+  double least = 100.0;
+  for (const trajectory_setpoint_s& s : px4.setpoints) {
+    const double enu[3] = {s.position[1], s.position[0], -s.position[2]};
+    least = std::min(least, distance_of(solid, enu));
+  }
+  return least;
+}
+
+double from_goal() {
+  return px4.setpoints.empty() ? 100.0 : distance(px4.setpoints.back().position, kGoal);
+}
+
+class Sensors : public testing::Test {
+ protected:
+  void SetUp() override { px4 = Px4{}; }
+};
+
+TEST_F(Sensors, ThePillarIsInTheWayOfAFlightThatDoesNotSeeIt) {
+  ASSERT_EQ(fly_with(kOpen, switch_mode, true), 0);
+  EXPECT_LT(from_goal(), 1e-4);
+  EXPECT_EQ(least_distance(kPillar), 0.0);
+}
+
+TEST_F(Sensors, FliesRoundWhatOnlyASensorSaw) {
+  const std::function<void()> sensors[] = {
+      [] { send(px4.distances[3], [] { return ahead(kPillar, 0.5f, 0.5f); }); },
+      [] { send(px4.distances[1], [] { return ahead_by_quaternion(kPillar); }); },
+      [] { send(px4.ring, [] { return around(kPillar, obstacle_distance_s::MAV_FRAME_BODY_FRD); }); },
+      [] { send(px4.ring, [] { return around(kPillar, obstacle_distance_s::MAV_FRAME_LOCAL_NED); }); }};
+  for (const auto& sensor : sensors) {
+    px4 = Px4{};
+    ASSERT_EQ(fly_with(kOpen,
+                       [&](double t) {
+                         switch_mode(t);
+                         sensor();
+                       }),
+              0);
+    EXPECT_LT(from_goal(), 1e-4);
+    EXPECT_LT(largest_step(), 1e-3);
+    EXPECT_GT(least_distance(kPillar), 0.3);
+    EXPECT_EQ(count_setpoints([](double t) { return t < kSwitch || t > kEnd + 0.02; }), 0u);
+    for (const trajectory_setpoint_s& s : px4.setpoints) {  // no higher and no lower than the sensor looks
+      EXPECT_GE(-s.position[2], 1.2f - 1e-4f);
+      EXPECT_LE(-s.position[2], 2.3f + 1e-4f);
+    }
+  }
+}
+
+/// The map has a wall that is not there: a sensor refutes it that is wide enough to show voxels free.
+TEST_F(Sensors, OpensAWallOfTheMapThatAWideSensorRefutes) {
+  for (const bool is_wide : {false, true}) {
+    px4 = Px4{};
+    const float field = is_wide ? 1.6f : 0.8f;
+    ASSERT_EQ(fly_with(
+                  std::string(kOpen) + "block 3 -12 0 3.4 12 8\n",
+                  [&](double t) {
+                    switch_mode(t);
+                    send(px4.distances[0], [&] {
+                      distance_sensor_s sensor = ahead(kPillar, field, field);
+                      sensor.current_distance = -1.0f;  // as PX4's drivers say that nothing came back
+                      sensor.signal_quality = 0;
+                      return sensor;
+                    });
+                  },
+                  !is_wide),
+              0);
+    if (is_wide) {
+      EXPECT_LT(from_goal(), 1e-4);
+    } else {
+      EXPECT_GT(from_goal(), 7.0);
+    }
+  }
+}
+
+TEST_F(Sensors, HoversWithoutSensors) {
+  const std::function<void()> sensors[] = {[] {},
+                                           [] {  // too narrow
+                                             send(px4.distances[0], [] { return ahead(kPillar, 0.06f, 0.06f); });
+                                           },
+                                           [] {  // it looks back
+                                             send(px4.distances[0], [&] {
+                                               distance_sensor_s back = ahead(kPillar, 0.5f, 0.5f);
+                                               back.orientation = 4;
+                                               return back;
+                                             });
+                                           },
+                                           [] {  // the height above ground is no range ahead
+                                             send(px4.distances[0], [&] {
+                                               distance_sensor_s down = ahead(kPillar, 0.5f, 0.5f);
+                                               down.orientation = distance_sensor_s::ROTATION_DOWNWARD_FACING;
+                                               return down;
+                                             });
+                                           },
+                                           [] {
+                                             send(px4.distances[0], [&] {
+                                               distance_sensor_s invalid = ahead(kPillar, 0.5f, 0.5f);
+                                               invalid.signal_quality = 0;
+                                               return invalid;
+                                             });
+                                           },
+                                           [] {
+                                             send(px4.distances[0], [&] {
+                                               distance_sensor_s old = ahead(kPillar, 0.5f, 0.5f);
+                                               old.timestamp = px4.now - 300000;
+                                               return old;
+                                             });
+                                           }};
+  for (const auto& sensor : sensors) {
+    px4 = Px4{};
+    ASSERT_EQ(fly_with(kOpen,
+                       [&](double t) {
+                         switch_mode(t);
+                         sensor();
+                       }),
+              0);
+    ASSERT_GT(px4.setpoints.size(), 1000u);
+    for (const trajectory_setpoint_s& s : px4.setpoints) EXPECT_EQ(distance(s.position, kStart), 0.0);
+  }
+}
+
+TEST_F(Sensors, ComesToRestWhenSensorsAreSilentAndGoesOnWhenTheyAreBack) {
+  for (const bool comes_back : {false, true}) {
+    px4 = Px4{};
+    ASSERT_EQ(fly_with(kOpen,
+                       [&](double t) {
+                         switch_mode(t);
+                         if (t < kMiddle || (comes_back && t > 15.0)) {
+                           send(px4.distances[0], [] { return ahead(kPillar, 0.5f, 0.5f); });
+                         }
+                       }),
+              0);
+    for (const trajectory_setpoint_s& s : px4.setpoints) {
+      const double t = 1e-6 * static_cast<double>(s.timestamp);
+      if (t > kMiddle + 3.0 && t < 15.0) {
+        EXPECT_EQ(speed(s), 0.0) << t;
+      }
+    }
+    EXPECT_GT(least_distance(kPillar), 0.3);
+    if (comes_back) {
+      EXPECT_LT(from_goal(), 1e-4);
+    } else {
+      EXPECT_GT(from_goal(), 2.0);
+    }
+  }
+}
+
+/// Also in the next flight, which has a new map.
+TEST_F(Sensors, SeesThePillarAgainAfterAReset) {
+  bool jumped = false;
+  ASSERT_EQ(fly_with(kOpen,
+                     [&](double t) {
+                       switch_mode(t);
+                       send(px4.ring, [] { return around(kPillar, obstacle_distance_s::MAV_FRAME_BODY_FRD); });
+                       if (t > 15.0 && t < 16.0) px4.status.nav_state = kPosition;
+                       if (t < 5.0 || jumped) return;
+                       jumped = true;
+                       px4.local.xy_reset_counter = 1;
+                       px4.local.y -= 0.4f;
+                     }),
+            0);
+  EXPECT_GT(count_setpoints([](double t) { return t > 8.0 && t < 15.0; }), 340u);
+  EXPECT_LT(from_goal(), 1e-4);
+  EXPECT_GT(least_distance(kPillar), 0.3);
+}
+
+TEST_F(Sensors, RefusesAMapThatItCannotFlyIn) {
+  px4.script = [] { switch_mode(px4.seconds()); };
+  const std::string open = kOpen;
+  const std::string lines[] = {"boundary -5 -10 0.5 15 10 6\nresolution 0.25\nradius 0.3\nv_horizontal 1\n",
+                               open + "block 4 0 0 5 6\n",
+                               open + "block 5 0 0 4 6 3\n",
+                               open + "block 4 0 0 5 6 three\n",
+                               open + "block 4 0 0 5 6 nan\n",
+                               open + "block 1 2 3 4 5 6 7 8 9 10\n",
+                               open + "resolution 0\n",
+                               open + "via 1 2 3\n",
+                               open + "octomap wood.bt\n",
+                               open + "# " + std::string(300, '.') + "\n",
+                               open + "resolution 0.02\n",              // too many voxels
+                               open + "block -3 -1 0 -1 1 5\n",         // the vehicle is in it
+                               open + "boundary 0 -10 0.5 15 10 6\n",   // and outside
+                               open + "block 9 1 0 11 3 5\n",           // the goal is in it
+                               open + "boundary -5 -10 0.5 9 10 6\n"};  // and outside
+  for (const std::string& text : lines) {
+    EXPECT_EQ(fly_with(text, switch_mode), 0);
+    EXPECT_TRUE(px4.modes.empty()) << text;
+  }
+  EXPECT_EQ(call({"tern_offboard", "start", "10", "2", "2", "/nowhere/map.txt", "blind"}), 0);
+  EXPECT_TRUE(px4.modes.empty());
+  EXPECT_NE(call({"tern_offboard", "start", "10", "2", "2", std::string(200, 'm'), "blind"}), 0);
+  EXPECT_NE(call({"tern_offboard", "start", "10", "2", "2", TERN_PX4_WORLD, "deaf"}), 0);
+}
+
+}  // namespace
