@@ -146,7 +146,8 @@ bool Sensors::drop_old(int index, std::int64_t now, Notices& notices) {
   return true;
 }
 
-/// The sensor whose frame is the oldest of those that can be entered, and the body's pose then; -1 if there is none.
+/// The sensor whose turn it is of those with a frame that can be entered, and the body's pose then; -1 if there is
+/// none.
 int Sensors::next(const Poses& poses, std::int64_t now, Notices& notices, tern::Pose& body) {
   int best = -1;
   for (int k = 0; k < count(); ++k) {
@@ -162,7 +163,8 @@ int Sensors::next(const Poses& poses, std::int64_t now, Notices& notices, tern::
                                    : ": a frame is left out: it was taken before the first pose"));
     }
     if (found != PoseAt::kKnown) continue;
-    if (best >= 0 && sensors_[static_cast<std::size_t>(best)].frame.stamp <= frame.stamp) continue;
+    if (best >= 0 && !sensors_[static_cast<std::size_t>(k)].is_before(sensors_[static_cast<std::size_t>(best)]))
+      continue;
     best = k;
     body = pose;
   }
@@ -184,7 +186,7 @@ void Sensors::enter(tern::RollingMap& map, const Poses& poses, std::int64_t now,
     return;
   }
   ++sensor.state.taken;
-  sensor.state.last_stamp = in_work_.stamp;
+  sensor.state.last_stamp = sensor.heard = in_work_.stamp;
   entered_ = any_entered_ ? std::max(entered_, in_work_.stamp) : in_work_.stamp;
   any_entered_ = true;
   notices.good(Fault::kFrameInvalid, Fault::kFrameRefused, index, now,
@@ -226,7 +228,10 @@ tern::Status Sensors::begin(tern::RollingMap& map, Sensor& sensor, const tern::P
 }
 
 void Sensors::restart() {
-  for (Sensor& sensor : sensors_) sensor.frame.waits = sensor.any = false;
+  for (Sensor& sensor : sensors_) {
+    sensor.frame.waits = sensor.any = false;
+    sensor.heard = 0;
+  }
   any_entered_ = false;
 }
 

@@ -155,6 +155,21 @@ TEST(Sensors, TakeTurnsByStamp) {
   EXPECT_EQ(room.sensors.state(back).taken, 2u);
 }
 
+TEST(Sensors, AFastSensorGetsItsTurnBesideASlowOne) {
+  Room room;
+  const int fast = room.add_camera("fast"), slow = room.add_camera("slow");
+  for (int k = 0; k < 40; ++k) {
+    room.now += 40 * kMs;
+    room.send_pose();
+    room.offer(fast, wall(3.1f), room.now);
+    // Of the slow one, a frame waits always, and it is always the older one.
+    if (k % 2 == 0) room.offer(slow, wall(3.1f), room.now - 30 * kMs);
+    if (k % 2 == 1) room.enter();  // the map has time for half of them
+  }
+  EXPECT_EQ(room.sensors.state(fast).taken, 10u);
+  EXPECT_EQ(room.sensors.state(slow).taken, 10u);
+}
+
 TEST(Sensors, WaitForAPose) {
   Room room;
   const int camera = room.add_camera("camera");

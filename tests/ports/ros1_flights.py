@@ -2,60 +2,67 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Flies worlds of the simulator through ROS 1 topics: a master, port/ros's flight node, and a world that publishes its
-camera and judges contact.
+sensors and judges contact.
 
-  ros1_flights.py --node NODE --world ros1_fly_world [--family P25] [--first 20000] [--flights 1] [--spoilt 0.05]
-                  [--jump 1.0] [--least-reached SHARE] [--bags]
+  ros1_flights.py --node NODE --world ros1_fly_world [--family P25] [--first 20000] [--flights 1]
+                  [--sensors camera|cameras|lidar|both] [--spoilt 0.05] [--jump 1.0] [--least-reached SHARE] [--bags]
+                  [--real-time]
 
-Prints a line for each flight and a summary. Exit status 0 if there was no contact, and enough goals were reached."""
+Prints a line for each flight and a summary. Exit status 0 if there was no contact, enough goals were reached, and the
+node showed markers and a map that fit the world."""
 import argparse
 import json
-import os
 import pathlib
 import signal
-import socket
 import subprocess
 import sys
-import tempfile
-import time
+
+from ros1.master import Master, end
+
+NODE_LOG = "node.log"
+MOST_OFF = 0.5  # m, of a voxel in which something was seen from the nearest thing of the true world
 
 
-def free_port():
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return free.getsockname()[1]
-
-
-def wait_for(port):
-    for _ in range(200):
-        with socket.socket() as probe:
-            if probe.connect_ex(("127.0.0.1", port)) == 0:
-                return
-        time.sleep(0.1)
-    raise RuntimeError("the master does not start")
-
-
-def end(process, how):
-    process.send_signal(how)
-    process.wait(60)
-
-
-def fly(options, member, environment, *bag):
+def fly(options, member, master, *bag):
     """One flight: what ros1_fly_world says of it. `bag`: "record" or "play", and the file."""
-    log = open(pathlib.Path(environment["ROS_HOME"], "node.log"), "a")
-    world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump), *bag],
-                             env=environment, stdout=subprocess.PIPE, text=True)
+    log = open(master.folder / NODE_LOG, "a")
+    clock = "real" if options.real_time else "lockstep"
+    world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump), options.sensors, clock, *bag],
+                             env=master.environment, stdout=subprocess.PIPE, text=True)
     node = None
     try:
         if world.stdout.readline() != "ready\n":
             return {"world": member, "end": "no world"}
-        node = subprocess.Popen([options.node], env=environment, stdout=log, stderr=log)
+        node = subprocess.Popen([options.node], env=master.environment, stdout=log, stderr=log)
         answer = world.stdout.readline()
         return json.loads(answer) if answer else {"world": member, "end": "no answer"}
     finally:
         for process in (node, world):
             if process is not None:
                 end(process, signal.SIGINT)  # nodes write their logs' last lines
+
+
+def displays_fault(flown, options):
+    """What is wrong with what the node showed of a flight, or nothing."""
+    markers = flown.get("markers", {})
+    missing = [name for name in ("plan", "corridor", "look_at") if markers.get(name, 0) == 0]
+    if missing or "in_the_way" not in markers:
+        return f"markers are missing: {missing}"
+    if markers.get("not_finite", 0) > 0:
+        return "a marker has a point that is not finite"
+    if flown["obstacles"] == 0:
+        return "the map was not shown"
+    if options.jump == 0.0 and flown["obstacles_off"] > MOST_OFF:
+        return f"an obstacle was shown {flown['obstacles_off']} m from the nearest one"
+    return None
+
+
+def log_fault(text, options, nodes):
+    """What is wrong with what the nodes said, or nothing. With spoilt messages, tf came late, too."""
+    waits = text.count("frames wait, because tf2 has no")
+    if options.spoilt > 0.0 and waits != nodes * (2 if options.sensors in ("cameras", "both") else 1):
+        return f"{waits} times it was said that frames wait for tf"
+    return None
 
 
 def main():
@@ -65,34 +72,32 @@ def main():
     parser.add_argument("--family", default="P25")
     parser.add_argument("--first", type=int, default=20000, help="seed of the first world")
     parser.add_argument("--flights", type=int, default=1)
+    parser.add_argument("--sensors", default="camera", choices=["camera", "cameras", "lidar", "both"],
+                        help="one that looks ahead, one to each side, all around, or the first and the third")
     parser.add_argument("--spoilt", type=float, default=0.0, help="share of messages that are lost or wrong")
     parser.add_argument("--jump", type=float, default=0.0, help="metres that the estimate jumps by")
     parser.add_argument("--least-reached", type=float, default=1.0, help="share of the goals")
     parser.add_argument("--bags", action="store_true", help="record each flight to a bag, and play that to a new node")
+    parser.add_argument("--real-time", action="store_true", help="by the clock, instead of as fast as the computer can")
     parser.add_argument("--log", help="folder for the node's log")
     options = parser.parse_args()
-    folder = options.log or tempfile.mkdtemp(prefix="tern_ros1_")
-    pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
-    port = free_port()
-    environment = {**os.environ, "ROS_MASTER_URI": f"http://127.0.0.1:{port}", "ROS_IP": "127.0.0.1",
-                   "ROS_HOME": folder, "ROS_LOG_DIR": folder}
-    master = subprocess.Popen(["/usr/bin/python3", "/usr/bin/rosmaster", "--core", "-p", str(port)], env=environment,
-                              stdout=subprocess.DEVNULL)
-    ends = []
-    try:
-        wait_for(port)
+    flights, faults = [], []
+    with Master(options.log) as master:
+        (master.folder / NODE_LOG).unlink(missing_ok=True)
         for seed in range(options.first, options.first + options.flights):
             member = f"{options.family}:{seed}"
-            bag = str(pathlib.Path(folder, f"{options.family}_{seed}.bag"))
+            bag = str(master.folder / f"{options.family}_{seed}.bag")
             for how in ("record", "play") if options.bags else (None,):
-                flown = fly(options, member, environment, *((how, bag) if how else ()))
-                ends.append(flown["end"])
+                flown = fly(options, member, master, *((how, bag) if how else ()))
+                flights.append(flown)
                 print(json.dumps(flown), flush=True)
-    finally:
-        end(master, signal.SIGTERM)
+                faults.append(displays_fault(flown, options) if flown["end"] == "reached" else None)
+        faults.append(log_fault(pathlib.Path(master.folder, NODE_LOG).read_text(), options, len(flights)))
+    faults = [fault for fault in faults if fault]
+    ends = [flown["end"] for flown in flights]
     reached, contacts = ends.count("reached"), ends.count("contact")
-    print(f"{options.family}: {len(ends)} flights, {reached} reached, {contacts} contacts")
-    return 0 if contacts == 0 and reached >= options.least_reached * len(ends) else 1
+    print(f"{options.family}: {len(ends)} flights, {reached} reached, {contacts} contacts", *faults, sep="\n")
+    return 0 if contacts == 0 and reached >= options.least_reached * len(ends) and not faults else 1
 
 
 if __name__ == "__main__":

@@ -5,12 +5,10 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/callback_queue.h>
 #include <rosgraph_msgs/Clock.h>
-#include <sensor_msgs/CameraInfo.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <map>
 
 #include "host/flight/assumed_ball.hpp"
 #include "host/flight/flight_recorder.hpp"
@@ -20,25 +18,6 @@ namespace {
 
 constexpr double kStuck = 40.0;   // seconds at rest
 constexpr double kMargin = 0.01;  // m that the margin is above the vehicle's error: for extrapolation between setpoints
-
-ros::Time time_of(std::int64_t ns) {
-  ros::Time time;
-  time.fromNSec(static_cast<std::uint64_t>(ns));
-  return time;
-}
-
-/// The camera looks ahead; its own axes are x right, y down, z ahead.
-tf2_msgs::TFMessage mounting() {
-  tf2_msgs::TFMessage message;
-  message.transforms.resize(1);
-  auto& t = message.transforms[0];
-  t.header.frame_id = "base_link";
-  t.child_frame_id = "camera_optical";
-  t.transform.rotation.w = 0.5;
-  t.transform.rotation.x = t.transform.rotation.z = -0.5;
-  t.transform.rotation.y = 0.5;
-  return message;
-}
 
 /// A window around the start that the world's height fits in.
 tern::Vec3 window_of(const tern_host::FlightWorld& world) {
@@ -61,23 +40,21 @@ double free_radius_of(const tern_host::FlightWorld& world) {
 
 }  // namespace
 
-FlownWorld::FlownWorld(const std::string& member, const Spoilt& spoilt)
-    : world_(tern_host::read_flight_world(member, {})), spoilt_(spoilt), noise_(world_.settings.seed) {
+FlownWorld::FlownWorld(const std::string& member, const FlownSettings& settings)
+    : world_(tern_host::read_flight_world(member, {})),
+      settings_(settings),
+      noise_(world_.settings.seed),
+      sensors_(world_, settings.sensors, settings.spoilt, noise_, outlet_, node_),
+      displays_(world_, node_) {
   setpoint_.sample.position = world_.start;
   setpoint_.yaw = std::atan2(world_.goal.y - world_.start.y, world_.goal.x - world_.start.x);
   vehicle_ = tern_host::make_vehicle(tern_host::vehicle_settings_of(world_.settings), setpoint_);
   clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
-  image_ = node_.advertise<sensor_msgs::Image>("camera/image", 10);
-  lens_ = node_.advertise<sensor_msgs::CameraInfo>("camera/camera_info", 10);
   odometry_ = node_.advertise<nav_msgs::Odometry>("odometry", 100);
   goal_ = node_.advertise<geometry_msgs::PoseStamped>("goal", 1);
   tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
-  const auto quick = ros::TransportHints().tcpNoDelay();
-  setpoints_ = node_.subscribe("command/trajectory", 100, &FlownWorld::on_setpoint, this, quick);
-  diagnostics_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "diagnostics", 4,
-      [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& m) { told_ = m->status.at(0).message; });
-  tf_.publish(mounting());
+  setpoints_ =
+      node_.subscribe("command/trajectory", 100, &FlownWorld::on_setpoint, this, ros::TransportHints().tcpNoDelay());
 }
 
 void FlownWorld::set_parameters() const {
@@ -103,22 +80,20 @@ void FlownWorld::set_parameters() const {
                                                     {"horizon", 0.8 * s.sensor_range},
                                                     {"yaw_rate", s.yaw_rate},
                                                     {"yaw_acceleration", s.yaw_acceleration},
-                                                    {"field_of_view", s.fov_horizontal},
                                                     {"setpoint_rate", 100.0},
                                                     {"display_rate", 20.0},
-                                                    {"camera/most", 1000.0},
-                                                    {"camera/least", 0.1},
                                                     {"heading_jump", 1.0},
                                                     {"stray", 5.0}};
   for (const auto& [name, value] : parameters) ros::param::set("/tern/" + name, value);
-  ros::param::set("/use_sim_time", true);
+  sensors_.set_parameters();
+  ros::param::set("/use_sim_time", !settings_.real_time);
 }
 
 bool FlownWorld::connect() {
   for (int k = 0; k < 2000; ++k) {
-    if (clock_.getNumSubscribers() > 0 && image_.getNumSubscribers() > 0 && lens_.getNumSubscribers() > 0 &&
-        odometry_.getNumSubscribers() > 0 && goal_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0 &&
-        setpoints_.getNumPublishers() > 0 && diagnostics_.getNumPublishers() > 0) {
+    const bool clock = settings_.real_time || clock_.getNumSubscribers() > 0;
+    if (clock && sensors_.connected() && odometry_.getNumSubscribers() > 0 && goal_.getNumSubscribers() > 0 &&
+        tf_.getNumSubscribers() > 0 && setpoints_.getNumPublishers() > 0 && displays_.connected()) {
       return true;
     }
     ros::spinOnce();
@@ -129,9 +104,13 @@ bool FlownWorld::connect() {
 
 Flown FlownWorld::fly() {
   int before_goal = 50;  // ticks: so that pose and frames are there
+  // Where messages are spoilt, tf is late, too: frames must wait for it.
+  int before_tf = settings_.spoilt.share > 0.0 ? 100 : 0;
+  if (settings_.real_time) now_ = begin_ = static_cast<std::int64_t>(ros::Time::now().toNSec());
   publish_clock();
   ros::WallDuration(0.1).sleep();  // the clock's topic is not the others'
   while (flown_.end == "timeout" && seconds() < world_.settings.time_limit && flown_.late < 100) {
+    if (before_tf-- == 0) outlet_.publish(tf_, sensors_.mountings(), now_);
     step();
     if (before_goal-- == 0) publish_goal();
     const std::string end = judge();
@@ -139,16 +118,16 @@ Flown FlownWorld::fly() {
   }
   if (flown_.late >= 100) flown_.end = "silent";
   flown_.time = seconds();
-  for (int k = 0; k < 200 && bag_ != nullptr; ++k) step();  // a node that is played the bag may be later
+  for (int k = 0; k < 200 && outlet_.records(); ++k) step();  // a node that is played the bag may be later
   return flown_;
 }
 
 /// To the next tick.
 void FlownWorld::step() {
   publish_pose();
-  publish_frame();
+  sensors_.step(vehicle_->position(), yaw(), seconds(), now_);
   publish_clock();
-  if (!wait_for_setpoint()) ++flown_.late;
+  if (settings_.real_time ? !wait_for_clock() : !wait_for_setpoint()) ++flown_.late;
   move();
 }
 
@@ -159,12 +138,13 @@ double FlownWorld::yaw() const {
 void FlownWorld::publish_clock() {
   rosgraph_msgs::Clock clock;
   clock.clock = time_of(now_);
-  publish(clock_, clock);
+  if (!settings_.real_time) outlet_.publish(clock_, clock, now_);
 }
 
 void FlownWorld::publish_pose() {
-  if (spoilt_.jump > 0.0 && seconds() > 3.0) jumped_.y = spoilt_.jump;
-  if (noise_.chance(spoilt_.share)) return;
+  const Spoilt& spoilt = settings_.spoilt;
+  if (spoilt.jump > 0.0 && seconds() > 3.0) jumped_.y = spoilt.jump;
+  if (noise_.chance(spoilt.share)) return;
   nav_msgs::Odometry odometry;
   odometry.header.frame_id = "map";
   odometry.child_frame_id = "base_link";
@@ -175,44 +155,10 @@ void FlownWorld::publish_pose() {
   odometry.pose.pose.position.z = p.z + jumped_.z;
   odometry.pose.pose.orientation.w = std::cos(0.5 * yaw());
   odometry.pose.pose.orientation.z = std::sin(0.5 * yaw());
-  publish(odometry_, odometry);
-  if (noise_.chance(spoilt_.share)) publish(odometry_, odometry);
-  if (noise_.chance(spoilt_.share)) publish(odometry_, earlier_);
+  outlet_.publish(odometry_, odometry, now_);
+  if (noise_.chance(spoilt.share)) outlet_.publish(odometry_, odometry, now_);
+  if (noise_.chance(spoilt.share)) outlet_.publish(odometry_, earlier_, now_);
   earlier_ = odometry;
-}
-
-void FlownWorld::publish_frame() {
-  const tern_host::FlightSettings& s = world_.settings;
-  const auto latency = static_cast<std::int64_t>(1e9 * s.sensor_latency);
-  while (!on_the_way_.empty() &&
-         static_cast<std::int64_t>(on_the_way_.front().header.stamp.toNSec()) + latency <= now_) {
-    publish(image_, on_the_way_.front());
-    on_the_way_.pop_front();
-  }
-  if (static_cast<double>(frames_) > seconds() * s.sensor_hz) return;
-  ++frames_;
-  const tern_host::DepthFrame frame = tern_host::take_frame(world_, vehicle_->position(), yaw(), now_, noise_);
-  sensor_msgs::CameraInfo info;
-  info.header.stamp = time_of(now_);
-  info.header.frame_id = "camera_optical";
-  info.width = static_cast<std::uint32_t>(frame.view.width);
-  info.height = static_cast<std::uint32_t>(frame.view.height);
-  info.K = {frame.view.fx, 0.0, frame.view.cx, 0.0, frame.view.fy, frame.view.cy, 0.0, 0.0, 1.0};
-  publish(lens_, info);
-  sensor_msgs::Image image;
-  image.header = info.header;
-  image.width = info.width;
-  image.height = info.height;
-  image.encoding = "32FC1";
-  image.step = 4 * image.width;
-  image.data.resize(4 * frame.depths.size());
-  std::memcpy(image.data.data(), frame.depths.data(), image.data.size());
-  if (noise_.chance(spoilt_.share)) return;
-  if (noise_.chance(spoilt_.share)) image.header.stamp = time_of(now_ - 20 * kTick);
-  if (noise_.chance(spoilt_.share)) image.height /= 2;
-  if (noise_.chance(spoilt_.share)) image.data.clear();
-  on_the_way_.push_back(image);
-  if (noise_.chance(spoilt_.share)) on_the_way_.push_back(image);
 }
 
 void FlownWorld::publish_goal() {
@@ -222,7 +168,7 @@ void FlownWorld::publish_goal() {
   goal.pose.position.y = world_.goal.y;
   goal.pose.position.z = world_.goal.z;
   goal.pose.orientation.w = 1.0;
-  publish(goal_, goal);
+  outlet_.publish(goal_, goal, now_);
 }
 
 void FlownWorld::on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& message) {
@@ -232,8 +178,10 @@ void FlownWorld::on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& mes
   const auto& v = point.velocities.at(0).linear;
   const auto& a = point.accelerations.at(0).linear;
   setpoint_stamp_ = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  outlet_.note(setpoints_.getTopic(), message, now_);
   // Before the flight somebody else holds the vehicle, and setpoints are where it is.
-  if (told_.empty() || told_ == "no pose" || told_ == "ready") return;
+  const std::string& told = displays_.told();
+  if (told.empty() || told == "no pose" || told == "ready") return;
   setpoint_time_ = 1e-9 * static_cast<double>(setpoint_stamp_ - begin_);
   // After a jump of the estimate, setpoints are in its old frame until the node knows. A vehicle with inertia hardly
   // moves in that time.
@@ -256,6 +204,15 @@ bool FlownWorld::wait_for_setpoint() {
     if (setpoint_stamp_ >= now_) return true;
   }
   return false;
+}
+
+/// The end of this tick, by the computer's clock. False if the last setpoint is older than 50 ms by then.
+bool FlownWorld::wait_for_clock() {
+  const ros::Time end = time_of(now_ + kTick);
+  for (ros::Time at = ros::Time::now(); at < end; at = ros::Time::now()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(std::min(2e-3, (end - at).toSec())));
+  }
+  return now_ - setpoint_stamp_ < 5 * kTick;
 }
 
 /// Between setpoints, as an autopilot extrapolates them.

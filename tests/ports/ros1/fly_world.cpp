@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ros1_fly_world MEMBER [SPOILT JUMP [record|play BAG]]: sets the flight node's parameters, says "ready", waits for the
-// node, flies the world or plays the bag to the node, and prints one line of JSON. Exit status 0 if the goal was
-// reached without contact.
+// ros1_fly_world MEMBER SPOILT JUMP SENSORS CLOCK [record|play BAG]: sets the flight node's parameters, says "ready",
+// waits for the node, flies the world or plays the bag to the node, and prints one line of JSON. SENSORS: camera,
+// cameras, lidar or both. CLOCK: lockstep or real. Exit status 0 if the goal was reached without contact.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -12,14 +12,15 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "world");
-  if (argc < 2 || argc == 5) {
-    std::fprintf(stderr, "usage: ros1_fly_world MEMBER [SPOILT JUMP [record|play BAG]]\n");
+  if (argc != 6 && argc != 8) {
+    std::fprintf(stderr, "usage: ros1_fly_world MEMBER SPOILT JUMP SENSORS CLOCK [record|play BAG]\n");
     return 2;
   }
-  tern_test::Spoilt spoilt;
-  if (argc > 2) spoilt.share = std::strtod(argv[2], nullptr);
-  if (argc > 3) spoilt.jump = std::strtod(argv[3], nullptr);
-  tern_test::FlownWorld world(argv[1], spoilt);
+  tern_test::FlownSettings settings;
+  settings.spoilt = {std::strtod(argv[2], nullptr), std::strtod(argv[3], nullptr)};
+  settings.sensors = argv[4];
+  settings.real_time = argv[5] == std::string("real");
+  tern_test::FlownWorld world(argv[1], settings);
   world.set_parameters();
   std::printf("ready\n");
   std::fflush(stdout);
@@ -27,13 +28,13 @@ int main(int argc, char** argv) {
     std::printf("{\"world\": \"%s\", \"end\": \"not connected\"}\n", argv[1]);
     return 1;
   }
-  const std::string bag = argc > 4 ? argv[4] : "";
-  if (bag == "record") world.record(argv[5]);
-  const tern_test::Flown flown = bag == "play" ? world.play(argv[5]) : world.fly();
+  const std::string bag = argc > 6 ? argv[6] : "";
+  if (bag == "record") world.record(argv[7]);
+  const tern_test::Flown flown = bag == "play" ? world.play(argv[7]) : world.fly();
   std::printf(
       "{\"world\": \"%s\", \"end\": \"%s\", \"time\": %.2f, \"clearance\": %.4f, \"off\": %.4f, \"late\": %llu, "
-      "\"told\": \"%s\"}\n",
+      "\"told\": \"%s\", %s}\n",
       argv[1], flown.end.c_str(), flown.time, flown.clearance, flown.off, static_cast<unsigned long long>(flown.late),
-      world.told().c_str());
+      world.displays().told().c_str(), world.displays().json().c_str());
   return flown.end == "reached" ? 0 : 1;
 }

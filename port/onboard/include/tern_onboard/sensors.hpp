@@ -70,8 +70,9 @@ struct SensorState {
   bool lens_known = false, mounting_known = false;
 };
 
-/// The sensors, each with room for one frame that waits: a newer one takes its place. The one with the oldest stamp is
-/// entered first, so sensors take turns. A frame waits until there are poses around its stamp. Not thread-safe.
+/// The sensors, each with room for one frame that waits: a newer one takes its place. The sensor of which the map has
+/// heard nothing for the longest time is first, so sensors take turns however fast each is. A frame waits until there
+/// are poses around its stamp. Not thread-safe.
 class Sensors {
  public:
   /// `pixels`: of MapSpec. Larger images are divided into squares of pixels; each becomes one pixel with the least of
@@ -110,8 +111,13 @@ class Sensors {
     tern::Pose in_body{};
     Frame frame;
     std::int64_t newest = 0;  // stamp of the last one that was offered
+    std::int64_t heard = 0;   // stamp of the last one that was entered; 0: none since restart()
     bool any = false;
     SensorState state;
+
+    bool is_before(const Sensor& other) const {
+      return heard != other.heard ? heard < other.heard : frame.stamp < other.frame.stamp;
+    }
   };
 
   bool stamp_is_good(Sensor& sensor, int index, std::int64_t stamp, std::int64_t now, Notices& notices);

@@ -216,6 +216,7 @@ class Node {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "tern");
+  const ros::NodeHandle log;  // without any handle, ROS ends, and nothing is logged
   try {
     Node node;
     ros::spin();
