@@ -156,7 +156,7 @@ class Reference {
 std::vector<Key> joined(const Place& place, bool moves) {
   const auto join = std::make_unique<tern::Join>();
   tern::Work work;
-  tern::join_begin(*join, place.grid, place.point);
+  tern::join_begin(*join, place.world(), place.point);
   std::vector<Key> found;
   for (int turn = 0; turn <= 2 * tern::kJoinCells && join->state != tern::JoinState::kRefused; ++turn) {
     if (join->state == tern::JoinState::kTrying) {
@@ -185,6 +185,38 @@ TEST(PathJoin, TheSameVoxelsInTheSameOrder) {
   }
   EXPECT_GT(several, tern_test::scaled(1000));
   EXPECT_GT(many, tern_test::scaled(100));
+}
+
+/// How a point at height `z` joins, where voxels with index 4 are obstacles: from 2 m to 2.5 m.
+tern::Join joined_beside(double z, const tern::Halfspace& wall) {
+  tern::GridSpec spec{};
+  spec.cell = 0.5;
+  spec.dims = {8, 8, 8};
+  spec.boundary = {{0.0, 0.0, 0.0}, {4.0, 4.0, 4.0}};
+  std::vector<std::uint64_t> words(tern::grid_words(spec.dims));
+  Grid grid;
+  EXPECT_EQ(grid.bind(spec, words.data(), words.size()), tern::Status::kOk);
+  grid.mark_box({{0.0, 0.0, 2.1}, {4.0, 4.0, 2.4}});
+  grid.inflate();
+  const tern::Fence fence{&wall, 1, tern::FenceKind::kKeepIn};
+  const auto solids = std::make_unique<tern::Solids>();
+  EXPECT_EQ(load_fences(grid, &fence, 1, *solids).status, tern::Status::kOk);
+  tern::Join join{};
+  tern::join_begin(join, tern::World(grid, *solids), {0.6, 0.6, z});
+  return join;
+}
+
+TEST(PathJoin, APointOnAWallBelongsToTheVoxelInside) {
+  const tern::Join below = joined_beside(2.0, {{0.0, 0.0, 2.0}, 4.0});
+  EXPECT_EQ(below.state, tern::JoinState::kJoined);
+  EXPECT_EQ(key(below.voxel), Key(3, 1, 1));
+  const tern::Join above = joined_beside(2.5 - 1e-12, {{0.0, 0.0, -1.0}, -2.5});
+  EXPECT_EQ(above.state, tern::JoinState::kJoined);
+  EXPECT_EQ(key(above.voxel), Key(5, 1, 1));
+  // A wall that the voxel does not lie beyond changes nothing.
+  const tern::Join far = joined_beside(2.0, {{0.0, 0.0, 1.0}, 3.0});
+  EXPECT_EQ(far.state, tern::JoinState::kTrying);
+  EXPECT_EQ(key(far.home), Key(4, 1, 1));
 }
 
 }  // namespace

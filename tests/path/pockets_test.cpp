@@ -125,7 +125,7 @@ TEST_F(Pockets, SlicesOfOneFindTheSamePath) {
 TEST_F(Pockets, JoinOthersLeavesOutWhatWasSearched) {
   const auto join = std::make_unique<Join>();
   tern::Work work;
-  join_begin(*join, world_.grid, kCorner);
+  join_begin(*join, tern::World(world_.grid), kCorner);
   ASSERT_EQ(join->state, JoinState::kJoined);
   ASSERT_EQ(join->count, 0);
   ASSERT_TRUE(join_others(*join, world_.grid, kCorner, false));

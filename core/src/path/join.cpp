@@ -78,10 +78,30 @@ void mark_searched(Join& join, const Grid& grid, const Voxel& first) {
   }
 }
 
+/// The voxel of the point. If that lies beyond a wall, it counts as its neighbour towards the wall on each axis on
+/// which both contain the point: at a wall on the lattice, points belong to the voxels inside, as at a face of the
+/// boundary.
+Voxel home_of(const World& world, const Vec3& point) {
+  const Grid& grid = world.voxels();
+  Voxel home = grid.voxel_of(point);
+  if (grid.free(home) || !world.solids_clear(point, point)) return home;
+  for (int k = 0; k < world.wall_count(); ++k) {
+    const Halfspace& wall = world.wall(k);
+    if (least_over(cube_of(grid, home), wall.normal) < wall.offset - kLatticeTolerance * grid.spec().cell) continue;
+    for (int a = 0; a < 3; ++a) {
+      Voxel inner = home;
+      axis(inner, a) += axis(wall.normal, a) > 0.0 ? -1 : (axis(wall.normal, a) < 0.0 ? 1 : 0);
+      if (lies_beside(grid, inner, point)) home = inner;
+    }
+  }
+  return home;
+}
+
 }  // namespace
 
-void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
-  join.voxel = grid.voxel_of(point);
+void join_begin(Join& join, const World& world, const Vec3& point) noexcept {
+  const Grid& grid = world.voxels();
+  join.voxel = home_of(world, point);
   join.home = join.voxel;
   for (bool& searched : join.searched) searched = false;
   join.count = 0;

@@ -44,8 +44,8 @@ inline Operations join_operations(const Join& join) noexcept {
 constexpr Operations kSearchedOperations = 6 * ops::kRow * kJoinCells;
 
 /// A point in a free voxel is joined at once. If the voxel is not free but the point keeps the radius, the free voxels
-/// around it are the candidates.
-void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
+/// around it are the candidates. Where a wall runs along voxels' faces, a point on it belongs to the voxel inside.
+void join_begin(Join& join, const World& world, const Vec3& point) noexcept;
 
 /// Call this if the search from `voxel` found no path: the voxel may lie in a pocket that is cut off. Voxels within
 /// reach that are connected to it through faces are not tried again. False if no candidate is left. If the point's own

@@ -16,7 +16,7 @@ void clear(ReachStage& stage, const Grid& grid, Work& work) {
 }
 
 /// Takes the result of the search for the nearest free voxel, or for the nearest voxel that was reached.
-void take_nearest(ReachStage& stage, const Grid& grid, Work& work) {
+void take_nearest(ReachStage& stage, const World& world, Work& work) {
   const bool found = stage.search.found;
   if (stage.phase == ReachPhase::kNearest) {
     if (found) stage.nearest = stage.search.voxel;
@@ -24,7 +24,7 @@ void take_nearest(ReachStage& stage, const Grid& grid, Work& work) {
     return;
   }
   if (found) stage.best = stage.search.voxel;
-  join_begin(stage.start, grid, stage.query.start);
+  join_begin(stage.start, world, stage.query.start);
   work.spend(join_operations(stage.start));
   stage.phase = found ? ReachPhase::kJoin : ReachPhase::kEnd;
 }
@@ -88,7 +88,7 @@ Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexce
     if (searches(stage)) {
       const Grid reached = stage.phase == ReachPhase::kNearest ? flooded(stage.flood, grid) : grid;
       if (nearest_advance(stage.search, reached, work) == Progress::kMore) return Progress::kMore;
-      take_nearest(stage, grid, work);
+      take_nearest(stage, world, work);
       continue;
     }
     if (!work.left()) return Progress::kMore;

@@ -52,14 +52,15 @@ Progress advance_join(SearchStage& stage, const World& world, Work& work, Join& 
   return advance_nearest(stage, world, work);
 }
 
-void join_start(SearchStage& stage, const Grid& grid) {
-  join_begin(stage.start, grid, stage.query.start);
+void join_start(SearchStage& stage, const World& world) {
+  join_begin(stage.start, world, stage.query.start);
   stage.phase = SearchPhase::kJoinStart;
 }
 
 /// After a search that found no path, chooses the ends of the next one. First come the other candidates of the start,
 /// then those of the goal, each with all candidates of the start. False if none is left.
-bool join_elsewhere(SearchStage& stage, const Grid& grid, Work& work) {
+bool join_elsewhere(SearchStage& stage, const World& world, Work& work) {
+  const Grid& grid = world.voxels();
   if (++stage.failed == kJoinSearches || stage.pieces >= kExpansionBound) return false;
   const bool has_other = join_others(stage.start, grid, stage.query.start, stage.query.start_moves);
   work.spend(kSearchedOperations + join_operations(stage.start));
@@ -70,7 +71,7 @@ bool join_elsewhere(SearchStage& stage, const Grid& grid, Work& work) {
   const bool has_goal = join_others(stage.goal, grid, stage.query.goal, stage.query.goal_moves);
   work.spend(kSearchedOperations + join_operations(stage.goal));
   if (!has_goal) return false;
-  join_start(stage, grid);
+  join_start(stage, world);
   work.spend(join_operations(stage.start));
   return true;
 }
@@ -155,7 +156,6 @@ Progress advance_once(SearchStage& stage, const World& world, Work& work, Path& 
 }  // namespace
 
 void search_begin(SearchStage& stage, const World& world, const SearchQuery& query) noexcept {
-  const Grid& grid = world.voxels();
   stage.status = Status::kOk;
   stage.pieces = 0;
   stage.nodes_high = 0;
@@ -168,8 +168,8 @@ void search_begin(SearchStage& stage, const World& world, const SearchQuery& que
   stage.nearest_free = {0.0, 0.0, 0.0};
   stage.failed = 0;
   stage.query = query;
-  join_start(stage, grid);
-  join_begin(stage.goal, grid, query.goal);
+  join_start(stage, world);
+  join_begin(stage.goal, world, query.goal);
 }
 
 Progress search_advance(SearchStage& stage, const World& world, Work& work, Path& out) noexcept {
@@ -183,7 +183,7 @@ Progress search_advance(SearchStage& stage, const World& world, Work& work, Path
   for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
     const Progress progress = advance_once(stage, world, work, out);
     const bool no_path = progress == Progress::kFailed && stage.status == Status::kNoPath;
-    if (!no_path || !join_elsewhere(stage, grid, work)) return progress;
+    if (!no_path || !join_elsewhere(stage, world, work)) return progress;
   }
   return Progress::kFailed;
 }

@@ -8,13 +8,6 @@
 namespace tern {
 namespace {
 
-/// The least value of normal . p over the box.
-double least_over(const Box& box, const Vec3& normal) {
-  const Vec3 corner{normal.x < 0.0 ? box.upper.x : box.lower.x, normal.y < 0.0 ? box.upper.y : box.lower.y,
-                    normal.z < 0.0 ? box.upper.z : box.lower.z};
-  return dot(normal, corner);
-}
-
 /// True if the cube lies beyond some face of the solid, or beyond the solid along an axis, by `by`.
 bool lies_beyond(const Box& cube, const ConvexSolid& solid, double radius, double hair) {
   for (int f = 0; f < solid.face_count + kBoxPlanes; ++f) {
@@ -27,6 +20,12 @@ bool lies_beyond(const Box& cube, const ConvexSolid& solid, double radius, doubl
 }
 
 }  // namespace
+
+double least_over(const Box& box, const Vec3& normal) noexcept {
+  const Vec3 corner{normal.x < 0.0 ? box.upper.x : box.lower.x, normal.y < 0.0 ? box.upper.y : box.lower.y,
+                    normal.z < 0.0 ? box.upper.z : box.lower.z};
+  return dot(normal, corner);
+}
 
 double World::touching() const noexcept {
   return solids_ != nullptr ? solids_->touching : contact_tolerance(spec());

@@ -13,6 +13,9 @@
 
 namespace tern {
 
+/// The least value of normal . p over the box.
+double least_over(const Box& box, const Vec3& normal) noexcept;
+
 /// A view: whoever made it owns the grid and the solids, which must not change while it is used. Cheap to copy.
 ///
 /// Walls: half-spaces that the centre stays in. Solids: bodies that the centre keeps its clearance from, as from
