@@ -225,6 +225,31 @@ TEST_F(EndStopTry, GoalsAreFlownBackwards) {
   EXPECT_EQ(stop_->segments[0].points[3].x, stop_->place.x) << "at rest";
 }
 
+/// Down onto an obstacle's top, without a radius. Other plans sink in by two billionths of a voxel at most, here 2 um.
+TEST(EndStopDepth, AStopUsesHalfOfWhatIsGranted) {
+  World world({8, 8, 8}, 1000.0, 0.0);
+  world.block({3000.0, 3000.0, 3000.0}, {4000.0, 4000.0, 4000.0});
+  world.grid.inflate();
+  const auto stage = std::make_unique<tern::CheckStage>();
+  const auto curve = std::make_unique<tern::Trajectory>();
+  const auto stop = std::make_unique<EndStop>();
+  curve->origin = {3500.0, 3500.0, 4000.0};
+  const tern::RoomProof room{world.grid, nullptr, *stage, *curve, tern::World(world.grid)};
+  double deepest = 0.0;
+  int refused = 0;
+  for (int k = 1; k <= 60; ++k) {
+    tern::Work all{0xFFFFFFFFu};
+    reset(*stop);
+    const tern::State state{{0, 0, 0}, {0, 0, -1e-6 * k}, {0, 0, 0}};
+    const bool stops = stop_advance(room, state, false, world.request.limits, *stop, all) == tern::Progress::kDone;
+    if (stops) deepest = std::max(deepest, -stop->place.z);
+    refused += stops ? 0 : 1;
+  }
+  EXPECT_GT(deepest, 1.5e-6);
+  EXPECT_LE(deepest, 2.0e-6 + 1e-9);
+  EXPECT_GT(refused, 10);
+}
+
 class AddStops : public testing::Test {
  protected:
   AddStops() {

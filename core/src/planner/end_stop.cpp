@@ -54,9 +54,11 @@ bool begin_trial(const RoomProof& room, EndStop& stop) {
   return true;
 }
 
-/// A stop keeps a check_distance more than the check asks for, because the plan goes on from its end.
+/// A stop may use half of what a plan is granted, as the stages may: the plan goes on from its end, and is granted more
+/// only because a face of the boundary may have moved onto the lattice.
 Progress advance_trial(const RoomProof& room, EndStop& stop, Work& work) {
-  const Progress progress = prove_room(room, check_distance(room.grid), work);
+  const double spare = larger(check_distance(room.grid), 2.0 * kLatticeTolerance * room.grid.spec().cell);
+  const Progress progress = prove_room(room, spare, work);
   if (progress == Progress::kMore) return progress;
   stop.is_tried = false;
   stop.count = progress == Progress::kDone ? room.curve.count : 0;
