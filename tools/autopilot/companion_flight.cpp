@@ -26,6 +26,8 @@ using namespace tern_companion;
 constexpr std::int64_t kStep = 10000000;          // ns
 constexpr int kLooks = 5;                         // at the clearance, in a step
 constexpr std::int64_t kBootLater = 5000000000;   // the autopilot's clock began so long after the companion's
+constexpr double kMostFree = 2.0;                 // m, that is stated to be free around the start
+constexpr double kHoverDrift = 0.1;               // m, around the start until the flight begins
 constexpr std::int64_t kPatience = 20000000000;   // ns for the answer to a step
 const double kAhead[4] = {0.5, -0.5, 0.5, -0.5};  // a camera's axes in the body's
 
@@ -35,6 +37,13 @@ double distance(const tern::Vec3& a, const tern::Vec3& b) {
 
 std::string point(const tern::Vec3& p) {
   return tern_host::fixed(p.x, 4) + "," + tern_host::fixed(p.y, 4) + "," + tern_host::fixed(p.z, 4);
+}
+
+/// A ball around the start that is free, apart from floor and ceiling, of which fences keep the vehicle away.
+double free_radius_of(tern_host::FlightWorld world) {
+  world.boundary.lower.z -= kMostFree;
+  world.boundary.upper.z += kMostFree;
+  return std::min(kMostFree, tern_host::clearance(world, world.start) - kHoverDrift);
 }
 
 /// What an operator would set for this world.
@@ -52,6 +61,9 @@ std::vector<std::string> arguments_of(const tern_host::FlightWorld& world, const
   set("horizon", 0.8 * s.sensor_range);
   set("depth_margin", s.depth_margin + s.depth_noise * s.sensor_range);
   set("pose_margin", s.pose_margin);
+  set("free_radius", free_radius_of(world));
+  set("ground", world.boundary.lower.z);
+  set("ceiling", world.boundary.upper.z - s.body_radius - s.pose_margin - s.tracking_margin);
   set("field_of_view", s.fov_horizontal);
   set("speed", s.v_max);
   set("acceleration", s.a_max);
