@@ -10,6 +10,7 @@
 #include <ctime>
 #include <exception>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "companion/companion.hpp"
@@ -46,10 +47,7 @@ class Program {
         companion_(options.companion, {[this](const std::vector<std::uint8_t>& bytes) { link_->send(bytes); }, say}),
         depth_(
             options.depth,
-            [this](const tern_depth_header& header, const std::uint8_t* payload) {
-              companion_.take_depth(header, payload, now());
-            },
-            say) {}
+            [this](const tern_depth_header& header, const std::uint8_t* payload) { take(header, payload); }, say) {}
 
   int run() {
     say("listens");
@@ -57,9 +55,8 @@ class Program {
       wait();
       if (interrupted != 0) companion_.end();
       read_link();
-      if (lockstep_) continue;
       depth_.read();
-      companion_.tick(now());
+      if (!lockstep_) companion_.tick(now());
     }
     say(companion_.summary(now()));
     return *companion_.outcome();
@@ -70,13 +67,18 @@ class Program {
 
   void wait() {
     std::vector<pollfd> files{{link_->descriptor(), POLLIN, 0}};
-    if (!lockstep_) {
-      for (const int descriptor : depth_.descriptors()) files.push_back({descriptor, POLLIN, 0});
-    }
+    for (const int descriptor : depth_.descriptors()) files.push_back({descriptor, POLLIN, 0});
     const std::int64_t left = lockstep_ ? 100000000 : companion_.next_tick(now()) - now();
     const std::int64_t whole = left < 0 ? 0 : left;
     const timespec most{whole / 1000000000, whole % 1000000000};
     ppoll(files.data(), files.size(), &most, nullptr);
+  }
+
+  /// In lockstep, frames wait for the step that they belong to. They are read before, because a sender with a frame
+  /// that is larger than the socket's buffer waits, too.
+  void take(const tern_depth_header& header, const std::uint8_t* payload) {
+    if (!lockstep_) return companion_.take_depth(header, payload, now());
+    frames_.emplace_back(header, std::vector<std::uint8_t>(payload, payload + header.payload_bytes));
   }
 
   /// In lockstep, a request of time is the step to that time. The answer, which says that the step is done, goes out
@@ -89,6 +91,8 @@ class Program {
       if (lockstep_) {
         stepped_ = companion_.time_request()->ts1;
         depth_.read();
+        for (const auto& [header, payload] : frames_) companion_.take_depth(header, payload.data(), now());
+        frames_.clear();
         companion_.tick(now());
         if (companion_.outcome()) return;
       }
@@ -101,6 +105,7 @@ class Program {
   std::unique_ptr<Transport> link_;
   Companion companion_;
   DepthSocket depth_;
+  std::vector<std::pair<tern_depth_header, std::vector<std::uint8_t>>> frames_;
 };
 
 }  // namespace

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <deque>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
-#include "autopilot/body_camera.hpp"
-#include "depth_sender.h"
+#include "autopilot/body_sensors.hpp"
 #include "host/flight/flight_recorder.hpp"
 #include "host/flight/flight_specs.hpp"
 #include "host/flight/full_knowledge.hpp"
@@ -23,13 +21,12 @@ namespace {
 
 using namespace tern_companion;
 
-constexpr std::int64_t kStep = 10000000;          // ns
-constexpr int kLooks = 5;                         // at the clearance, in a step
-constexpr std::int64_t kBootLater = 5000000000;   // the autopilot's clock began so long after the companion's
-constexpr double kMostFree = 2.0;                 // m, that is stated to be free around the start
-constexpr double kHoverDrift = 0.1;               // m, around the start until the flight begins
-constexpr std::int64_t kPatience = 20000000000;   // ns for the answer to a step
-const double kAhead[4] = {0.5, -0.5, 0.5, -0.5};  // a camera's axes in the body's
+constexpr std::int64_t kStep = 10000000;         // ns
+constexpr int kLooks = 5;                        // at the clearance, in a step
+constexpr std::int64_t kBootLater = 5000000000;  // the autopilot's clock began so long after the companion's
+constexpr double kMostFree = 2.0;                // m, that is stated to be free around the start
+constexpr double kHoverDrift = 0.1;              // m, around the start until the flight begins
+constexpr std::int64_t kPatience = 20000000000;  // ns for the answer to a step
 
 double distance(const tern::Vec3& a, const tern::Vec3& b) {
   return tern_onboard::length(tern_onboard::minus(a, b));
@@ -64,7 +61,9 @@ std::vector<std::string> arguments_of(const tern_host::FlightWorld& world, const
   set("free_radius", free_radius_of(world));
   set("ground", world.boundary.lower.z);
   set("ceiling", world.boundary.upper.z - s.body_radius - s.pose_margin - s.tracking_margin);
-  set("field_of_view", s.fov_horizontal);
+  const bool sees_all_around = flight.sensors == "lidar" || flight.sensors == "both";
+  set("field_of_view", sees_all_around ? 0.0 : s.fov_horizontal);
+  set("scan_pixel", s.scan_pixel);
   set("speed", s.v_max);
   set("acceleration", s.a_max);
   set("acceleration_z", s.a_max);
@@ -94,18 +93,12 @@ class Simulation {
       : world_(world),
         flight_(flight),
         noise_(world.settings.seed),
-        lens_(lens_of(world.settings)),
         companion_(flight.program, arguments_of(world, flight)),
         autopilot_(flight.autopilot, vehicle_of(world.settings), world.start,
                    std::atan2(world.goal.y - world.start.y, world.goal.x - world.start.x),
                    [this](const std::vector<std::uint8_t>& bytes) { waiting_.push_back(bytes); }),
-        depth_(tern_depth_connect(companion_.depth_path().c_str())),
-        began_(flight.real_time ? monotonic() : kBootLater) {
-    if (depth_ < 0) throw std::runtime_error("the companion's depth socket does not answer");
-  }
-  ~Simulation() { tern_depth_close(depth_); }
-  Simulation(const Simulation&) = delete;
-  Simulation& operator=(const Simulation&) = delete;
+        began_(flight.real_time ? monotonic() : kBootLater),
+        sensors_(world, flight.sensors, companion_.depth_path(), began_) {}
 
   FlightOutcome fly() {
     const auto end = static_cast<std::int64_t>(1e9 * world_.settings.time_limit);
@@ -119,8 +112,8 @@ class Simulation {
       } else {
         plain_pilot(t, {autopilot_, companion_, camera_works_});
       }
-      take_image();
-      deliver_images();
+      if (camera_works_) sensors_.take(body(), time_, noise_);
+      sensors_.deliver(time_);
       flight_.real_time ? keep_time() : step();
       outcome_.time = t;
     }
@@ -141,30 +134,9 @@ class Simulation {
     }
   }
 
-  void take_image() {
-    const double period = 1.0 / world_.settings.sensor_hz;
-    if (1e-9 * static_cast<double>(time_) < image_due_ || !camera_works_) return;
-    image_due_ = std::max(image_due_ + period, 1e-9 * static_cast<double>(time_));
+  tern::Pose body() const {
     const std::array<double, 4> a = autopilot_.vehicle().attitude();
-    const tern::Pose body{autopilot_.vehicle().position(), {a[0], a[1], a[2], a[3]}};
-    const tern::Pose mounting{{0.0, 0.0, 0.0}, {kAhead[0], kAhead[1], kAhead[2], kAhead[3]}};
-    const double far = 1.35 * world_.settings.sensor_range;
-    images_.push_back(
-        {time_, tern_autopilot::take_image(world_, tern_onboard::compose(body, mounting), lens_, far, noise_)});
-  }
-
-  void deliver_images() {
-    const auto latency = static_cast<std::int64_t>(1e9 * world_.settings.sensor_latency);
-    while (!images_.empty() && images_.front().taken + latency <= time_) {
-      tern_depth_header header =
-          tern_depth_camera(TERN_DEPTH_METRES, static_cast<std::uint32_t>(lens_.width),
-                            static_cast<std::uint32_t>(lens_.height), lens_.fx, lens_.fy, lens_.cx, lens_.cy);
-      header.stamp_ns = images_.front().taken + began_;
-      header.least = 0.1;
-      header.most = 1000.0;
-      tern_depth_send(depth_, &header, images_.front().depths.data());
-      images_.pop_front();
-    }
+    return {autopilot_.vehicle().position(), {a[0], a[1], a[2], a[3]}};
   }
 
   /// What the autopilot said a step ago has arrived by now; then the companion does this step, and its answer ends it.
@@ -210,24 +182,16 @@ class Simulation {
     return outcome_;
   }
 
-  struct Image {
-    std::int64_t taken;
-    std::vector<float> depths;
-  };
-
   const tern_host::FlightWorld& world_;
   const CompanionFlight& flight_;
   tern_host::Noise noise_;
-  CameraLens lens_;
   CompanionProcess companion_;
   std::vector<std::vector<std::uint8_t>> waiting_;
   SimulatedAutopilot autopilot_;
-  int depth_;
   std::int64_t began_;  // the companion's clock when the autopilot booted
+  BodySensors sensors_;
   std::int64_t time_ = 0;
-  double image_due_ = 0.0;
   bool camera_works_ = true;
-  std::deque<Image> images_;
   FlightOutcome outcome_;
 };
 

@@ -26,8 +26,9 @@ struct CompanionFlight {
   std::string program;                 ///< path of tern_companion
   std::vector<std::string> arguments;  ///< more than those that follow from the world; they win
   AutopilotSettings autopilot;
-  bool goal_by_link = false;  ///< the program is not told the goal when it starts; otherwise it ends there
-  bool real_time = false;     ///< by the clock, with the delays of this computer; otherwise in lockstep
+  std::string sensors = "camera";  ///< as BodySensors has it
+  bool goal_by_link = false;       ///< the program is not told the goal when it starts; otherwise it ends there
+  bool real_time = false;          ///< by the clock, with the delays of this computer; otherwise in lockstep
   /// Called at each step; empty: after a second it is armed and in the air, and from then on the pilot tries the
   /// switch.
   std::function<void(double t, const FlightHands&)> pilot;

@@ -53,6 +53,8 @@ int main(int argc, char** argv) {
   app.add_option("--flights", flights, "how many")->capture_default_str();
   app.add_option("--seed", seed, "of the first world")->capture_default_str();
   app.add_option("--autopilot", autopilot, "px4 or ardupilot")->check(CLI::IsMember({"px4", "ardupilot"}));
+  app.add_option("--sensors", flight.sensors, "camera, cameras (to both sides), lidar, or both (camera and lidar)")
+      ->check(CLI::IsMember({"camera", "cameras", "lidar", "both"}));
   app.add_option("--set", settings, "a setting of the world: wind=5");
   app.add_option("--argument", flight.arguments, "one more word for the program; may be repeated");
   app.add_flag("--real-time", flight.real_time, "by the clock, instead of in lockstep");

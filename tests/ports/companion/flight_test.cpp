@@ -118,6 +118,18 @@ TEST_F(CompanionFlies, ComesToRestOnALostLinkAndGoesOnAfterIt) {
   EXPECT_GT(outcome.time, 14.0);
 }
 
+TEST_F(CompanionFlies, SeesWithTwoCameras) {
+  flight_.sensors = "cameras";
+  expect_reached(fly_with());
+}
+
+TEST_F(CompanionFlies, SeesWithACameraAndALidar) {
+  flight_.sensors = "both";
+  const FlightOutcome outcome = fly_with();
+  expect_reached(outcome);
+  EXPECT_FALSE(says(outcome, "refused")) << outcome.said;
+}
+
 TEST_F(CompanionFlies, GivesTheVehicleBackAndTakesItAgain) {
   std::uint64_t before = 0;
   const FlightOutcome outcome = fly_with([&before](double t, const FlightHands& hands) {
