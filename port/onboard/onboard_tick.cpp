@@ -104,6 +104,7 @@ tern::Vec3 Onboard::commanded(std::int64_t t) const {
 
 void Onboard::watch_stray(const StampedPose& pose, std::int64_t now) {
   if (status_.state != State::kFlying) return;
+  if (settings_.watch.slow_when_straying) flight_.note_position(pose.pose.position, pose.stamp);
   status_.stray = length(minus(pose.pose.position, commanded(pose.stamp)));
   status_.stray_max = std::max(status_.stray_max, status_.stray);
   if (status_.stray > settings_.watch.stray) {

@@ -66,6 +66,7 @@ const std::vector<Parameter<Settings>> kParameters = {
   TERN_NUMBER("heading_jump", "rad", 0.02, 3.2, watch.heading_jump, "a turn of the estimate beyond this ends the flight"),
   TERN_NUMBER("frame_age", "s", 0.02, 10.0, watch.frame_age, "frames that are older are left out"),
   TERN_NUMBER("stale_after", "s", 0.0, 1000.0, watch.stale_after, "time without frames after which the map is stale; 0: never"),
+  TERN_WHOLE("slow_when_straying", "", 0, 1, watch.slow_when_straying, "1: fly slower while the vehicle is off the command by most of tracking_margin"),
   TERN_NUMBER("stray", "m", 0.05, 100.0, watch.stray, "a vehicle further off the command is lost: the flight ends"),
 };
 

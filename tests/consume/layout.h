@@ -81,7 +81,7 @@
   FIELD(tern_flight_report, skipped) FIELD(tern_flight_report, waits_for_nose)                                       \
   FIELD(tern_flight_report, map_stale) FIELD(tern_flight_report, frame_age)                                          \
   FIELD(tern_flight_report, blocked_by) FIELD(tern_flight_report, blocked_at)                                         \
-  FIELD(tern_flight_report, blocked_fence)                                                                            \
+  FIELD(tern_flight_report, blocked_fence) FIELD(tern_flight_report, stray) FIELD(tern_flight_report, speed_share)    \
   FIELD(tern_flight_yaw, mode) FIELD(tern_flight_yaw, acceleration_max) FIELD(tern_flight_yaw, field_of_view)        \
   FIELD(tern_flight_yaw, start) FIELD(tern_flight_yaw, heading) FIELD(tern_flight_yaw, point)                        \
   FIELD(tern_flight_yaw, headings) FIELD(tern_flight_yaw, heading_count)                                             \

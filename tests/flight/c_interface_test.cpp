@@ -64,6 +64,19 @@ TEST(FlightC, SaysThatNoFramesCome) {
   EXPECT_STREQ(tern_blocked_by_text(TERN_BLOCKED_BY_FENCE), "a fence");
 }
 
+TEST(FlightC, TakesMeasuredPositions) {
+  FlightInC c;
+  ASSERT_EQ(c.begin(), kOk);
+  tern_flight_report report{};
+  const tern_vec3 measured{c.start.x, c.start.y + 0.125, c.start.z};
+  EXPECT_EQ(tern_flight_note_position(&c.flight, nullptr, 0), kInvalid);
+  EXPECT_EQ(tern_flight_note_position(&c.flight, &measured, 0), kOk);
+  EXPECT_EQ(tern_flight_tick(&c.flight, 0, &report), kOk);
+  EXPECT_NEAR(report.stray, 0.125, 1e-12);
+  EXPECT_EQ(report.speed_share, 1.0);  // this map has no tracking margin
+  EXPECT_STRNE(tern_flight_reason_text(TERN_FLIGHT_MARGIN_EXCEEDED), "unknown");
+}
+
 /// The window is 51.2 m long.
 TEST(FlightC, HorizonsOfHalfTheWindowAreRefused) {
   FlightInC c;
@@ -240,6 +253,8 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   EXPECT_EQ(tern_flight_tick(&flight, 0, &report), kInvalid);
   EXPECT_EQ(tern_flight_set_clock(&flight, 0), kInvalid);
   EXPECT_EQ(tern_flight_set_clock(nullptr, 0), kInvalid);
+  EXPECT_EQ(tern_flight_note_position(&flight, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_note_position(nullptr, &goal, 0), kInvalid);
   tern_command command{};
   command.look_at = goal;
   tern_flight_command(&flight, 0, &command);

@@ -92,7 +92,7 @@ TEST(SimulatedFaults, PosesThatJumpBeyondTheirMarginAreNamed) {
 }
 
 TEST(SimulatedFaults, AVehicleThatCannotFollowIsNamed) {
-  const FlightResult result = flown("S20:2", {"tracking=px4"});
+  const FlightResult result = flown("S20:2", {"tracking=px4", "monitor=0"});
   ASSERT_TRUE(result.contact.happened) << result.status;
   EXPECT_EQ(result.status, "collision");
   EXPECT_EQ(result.contact.broken_assumption, "tracking_margin");

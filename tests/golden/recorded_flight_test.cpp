@@ -169,6 +169,8 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   tern::FlightReport report{};
   for (int k = 0; k < 200; ++k) {
     const std::int64_t t = k * kSmallFlight.tick;
+    const tern::Vec3 measured = flight.command(t).sample.position;
+    recorder.note_position(measured, t, flight.note_position(measured, t));
     recorder.tick(flight, t, report, flight.tick(t, report));
     if (k == 150) recorder.stop(flight.stop());
   }

@@ -124,6 +124,22 @@ TEST(OnboardFlight, HoldsThePlaceWhereTheAutopilotBeganToFollow) {
   EXPECT_EQ(sky.onboard.status(sky.now).state, State::kReady);
 }
 
+/// Off by 7 of the 10 cm of the margin, so at half the speed; unless the parameter says otherwise.
+TEST(OnboardFlight, FliesSlowerWhileItStrays) {
+  for (const bool slows : {true, false}) {
+    Sky sky("P25:20001", [slows](tern_onboard::Settings& s) { s.watch.slow_when_straying = slows; });
+    ASSERT_TRUE(sky.begin().ok);
+    for (int k = 0; k < 200; ++k) sky.step();
+    sky.off = {0.0, 0.07, 0.0};
+    for (int k = 0; k < 150; ++k) sky.step();
+    const tern_onboard::Status status = sky.onboard.status(sky.now);
+    const double speed = tern_onboard::length(sky.onboard.setpoint(sky.now).velocity);
+    EXPECT_EQ(status.report.reason, slows ? FlightReason::kStrays : FlightReason::kNone);
+    EXPECT_EQ(speed < 0.51 * sky.world.settings.v_max, slows) << speed;
+    EXPECT_NE(describe(status).find(slows ? "flies slower" : "goes on"), std::string::npos);
+  }
+}
+
 TEST(OnboardFlight, FliesAMissionPastItsPoints) {
   Sky sky("P49:20001");
   sky.send_pose();

@@ -79,7 +79,7 @@ class Sky {
     onboard.tick(now);
     const tern_onboard::Setpoint setpoint = onboard.setpoint(now);
     if (setpoint.valid && follows) {
-      position = tern_onboard::minus(setpoint.position, drift);
+      position = tern_onboard::plus(tern_onboard::minus(setpoint.position, drift), off);
       yaw = setpoint.yaw;
     }
     if (poses) send_pose();
@@ -120,6 +120,7 @@ class Sky {
   tern::Vec3 position{};
   double yaw = 0.0;
   tern::Vec3 drift{};  ///< of the estimate off the truth
+  tern::Vec3 off{};    ///< of the vehicle off its setpoint
   bool poses = true, frames = true, follows = true;
   double least_clearance = 1e9;
 };

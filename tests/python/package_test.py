@@ -244,6 +244,10 @@ class Flights(unittest.TestCase):
         self.assertEqual(raised.exception.status, "clock_behind")
         flight.set_clock(0)
         self.assertTrue(flight.tick(0).arrived)
+        flight.note_position((3.0, 1.0, 1.75), 0)
+        tick = flight.tick(flight.tick_ns)
+        self.assertAlmostEqual(tick.stray, 0.25)
+        self.assertEqual(tick.speed_share, 1.0)  # this map has no tracking margin
 
     def test_a_fence_in_the_way_is_named(self):
         rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)

@@ -60,6 +60,7 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
           tern_flight_record_set_yaw(r, &a.yaw, kOk),
           tern_flight_record_stop(r, kOk),
           tern_flight_record_set_clock(r, 0, kOk),
+          tern_flight_record_note_position(r, &kPoint, 0, kOk),
           tern_flight_record_tick(r, &a.flight, 0, &a.report, kOk)};
 }
 

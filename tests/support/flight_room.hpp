@@ -36,8 +36,9 @@ class FlightRoom {
     return spec;
   }
 
-  explicit FlightRoom(const tern::FlightSpec& how = flight_spec(), const std::vector<tern::Box>& solid = {})
-      : spec(how), owned(map_spec()), memory(new tern::Workspace), planner(memory.get(), sizeof *memory) {
+  explicit FlightRoom(const tern::FlightSpec& how = flight_spec(), const std::vector<tern::Box>& solid = {},
+                      const tern::MapSpec& mapped = map_spec())
+      : spec(how), owned(mapped), memory(new tern::Workspace), planner(memory.get(), sizeof *memory) {
     EXPECT_EQ(map().assume_free(start, 40.0), tern::Status::kOk);
     for (const tern::Box& box : solid) mark(box);
     words.resize(tern::flight_words(map_spec().dims));

@@ -98,9 +98,9 @@ enum class FlightMode : uint8_t {
               ///< something came nearer than the radius, or nearer than before; then FlightReport::blocked_by tells
 };
 
-/// Why the vehicle rests, or does not go on.
+/// Why the vehicle rests, does not go on, or flies slower.
 enum class FlightReason : uint8_t {
-  kNone = 0,    ///< it flies, or is about to
+  kNone = 0,    ///< it flies as fast as it may, or is about to fly
   kNoGoal,      ///< there is no goal: none was set yet, or stop() took it away
   kArrived,     ///< it rests at the goal
   kNearest,     ///< the goal is occupied or cut off, and the vehicle rests as near to the goal as it can
@@ -109,6 +109,8 @@ enum class FlightReason : uint8_t {
   kViaBlocked,  ///< the mission ended: its next point is in an obstacle or breaks a fence
   kViaUnreachable,  ///< the mission ended: after a look around there is still no way to its next point
   kMapStale,        ///< there is no way through known space, and no frames come. The flight goes on with the next frame
+  kStrays,          ///< in flight: it flies slower, because it strays by more than 60 % of the tracking margin
+  kMarginExceeded,  ///< in flight: likewise, and it strayed by more than the margin. Then no proof covers the vehicle
 };
 
 /// Points of a mission, at most: the vias and the goal.
@@ -192,6 +194,10 @@ struct FlightReport {
   Vec3 blocked_at;
   /// For kFence: its index in FlightSpec::fences. Otherwise kNoFence.
   int32_t blocked_fence = kNoFence;
+  /// Distance of the vehicle from its plan, metres, as it was last measured; 0 without Flight::note_position().
+  double stray = 0.0;
+  /// The part of the limits on speed that new plans keep: 1, or less while the vehicle strays.
+  double speed_share = 1.0;
 };
 
 /// The command for one time.
@@ -256,6 +262,13 @@ class Flight {
   /// The command for time `t`. Every time has an answer. A time before the last tick gets the answer for the last tick,
   /// so that nothing is flown twice. After the end, the answer is rest. Before start(), it is zeros.
   Command command(int64_t t) const noexcept;
+  /// Says where the vehicle was measured to be at time `t`, world frame: call it with every pose, also with one that is
+  /// up to 0.1 s older than the plan in flight; earlier ones mean nothing. The distance from the plan is held against
+  /// the map's tracking margin: beyond 60 % of it, the vehicle brakes along its path and flies on at half the speed,
+  /// beyond 80 % at a quarter of it. It flies faster again, by one step, after 3 s in which no distance was more than
+  /// half of what the step began at. FlightReport::reason says so in flight. kOk; kNonFiniteInput; kInvalidArgument
+  /// before start(). A flight without this call takes the vehicle to be where the plan is.
+  Status note_position(const Vec3& position, int64_t t) noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before
   /// start().

@@ -65,6 +65,7 @@ class FlightRecorder {
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy, Status answer) noexcept;
   Status set_yaw(const FlightYaw& yaw, Status answer) noexcept;
   Status stop(Status answer) noexcept;
+  Status note_position(const Vec3& position, int64_t t, Status answer) noexcept;
   Status set_clock(int64_t t, Status answer) noexcept;
   /// Records a tick, with command(t) and yaw(t) of the flight as they are after it.
   Status tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept;

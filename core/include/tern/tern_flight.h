@@ -46,6 +46,7 @@ typedef struct {
   bool waits_for_nose, map_stale; int64_t frame_age;
   uint8_t blocked_by; /* TERN_BLOCKED_BY_... */
   tern_vec3 blocked_at; int32_t blocked_fence;
+  double stray, speed_share; /* metres; 1 at full speed */
 } tern_flight_report;
 /* How to turn the nose: tern::FlightYaw. rad, rad/s^2, m. */
 typedef struct {
@@ -82,7 +83,7 @@ enum {
   TERN_FLIGHT_STOP = 3,  /* on a brake */
   TERN_FLIGHT_THREAT = 4 /* the committed plan is no longer proven */
 };
-/* Why the vehicle rests. */
+/* Why the vehicle rests, or flies slower. */
 enum {
   TERN_FLIGHT_GOES_ON = 0,         /* it flies, or is about to */
   TERN_FLIGHT_NO_GOAL = 1,         /* there is no goal */
@@ -92,7 +93,9 @@ enum {
   TERN_FLIGHT_HEMMED_IN = 5,       /* there is no way that can be proven, and something is nearer than the radius */
   TERN_FLIGHT_VIA_BLOCKED = 6,     /* the mission's next point is occupied or fenced */
   TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
-  TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through known space */
+  TERN_FLIGHT_MAP_STALE = 8,       /* no frames come, and there is no way through known space */
+  TERN_FLIGHT_STRAYS = 9,          /* it flies slower: it strays by more than 60 % of the tracking margin */
+  TERN_FLIGHT_MARGIN_EXCEEDED = 10 /* likewise, and it strayed by more than the margin */
 };
 /* What keeps the flight from going on. */
 enum {
@@ -154,6 +157,8 @@ uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* rep
 /* The command for time `t`. Any time has an answer; a time before the last tick gets the answer for the last tick. Null
  * does nothing. */
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
+/* Where the vehicle was measured to be at time `t`. ok, non_finite_input or invalid_argument. */
+uint8_t tern_flight_note_position(tern_flight* flight, const tern_vec3* position, int64_t t);
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
 uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);
 

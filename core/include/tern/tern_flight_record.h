@@ -59,6 +59,8 @@ uint8_t tern_flight_record_set_mission(tern_flight_recorder* recorder, const ter
                                        uint8_t policy, uint8_t answer);
 uint8_t tern_flight_record_set_yaw(tern_flight_recorder* recorder, const tern_flight_yaw* yaw, uint8_t answer);
 uint8_t tern_flight_record_stop(tern_flight_recorder* recorder, uint8_t answer);
+uint8_t tern_flight_record_note_position(tern_flight_recorder* recorder, const tern_vec3* position, int64_t t,
+                                         uint8_t answer);
 uint8_t tern_flight_record_set_clock(tern_flight_recorder* recorder, int64_t t, uint8_t answer);
 uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_flight* flight, int64_t t,
                                 const tern_flight_report* report, uint8_t answer);

@@ -28,6 +28,18 @@ Sample CommittedPlans::sample_at(std::int64_t t) const noexcept {
   return evaluate(commitment.trajectory, commitment.time_at(t));
 }
 
+/// Plans join to the jerk, so a tenth of a second back this is off by some millimetres at most.
+bool CommittedPlans::was_at(std::int64_t t, Vec3& position) const noexcept {
+  constexpr double kLongest = 0.1;
+  const Commitment& plan = at(t);
+  const double after = plan.time_at(t);
+  if (after < -kLongest) return false;
+  const Sample s = evaluate(plan.trajectory, larger(0.0, after));
+  const double b = smaller(0.0, after);
+  position = s.position + b * (s.velocity + 0.5 * b * (s.acceleration + b / 3.0 * s.jerk));
+  return true;
+}
+
 std::int64_t CommittedPlans::rest_begins() const noexcept {
   return in_flight.begin() + nanoseconds(duration(in_flight.trajectory)) + 1;
 }

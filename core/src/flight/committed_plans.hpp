@@ -88,6 +88,9 @@ struct CommittedPlans {
   /// The plan that will be followed to its end.
   const Commitment& latest() const noexcept { return has_waiting ? waiting : in_flight; }
   Sample sample_at(std::int64_t t) const noexcept;
+  /// Where the vehicle was to be at a time that may be over. Of the plan before the one in flight, nothing is left: it
+  /// is that plan, from its beginning back. False if that is too long ago.
+  bool was_at(std::int64_t t, Vec3& position) const noexcept;
   /// When the plan in flight has come to rest.
   std::int64_t rest_begins() const noexcept;
   /// The plan in flight becomes one segment that stays at a place.

@@ -71,12 +71,13 @@ Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// The remainder is a candidate if it fits the mission, and the takeover comes before the branch.
+/// The remainder is a candidate if it fits the mission and the speed that is left, and the takeover comes before the
+/// branch.
 Progress Cycle::begin_remainder(const FlightFacts& flight, Draft& draft) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(draft.takeover);
-  const bool is_candidate =
-      in_flight.mission == flight.itinerary.number && flight.itinerary.still_fits(in_flight) && from < in_flight.branch;
+  const bool is_candidate = in_flight.mission == flight.itinerary.number && flight.itinerary.still_fits(in_flight) &&
+                            !flight.stray.is_too_fast && from < in_flight.branch;
   job = is_candidate && draft.begin_proof_of_remainder(flight, route.grid(), from) == Status::kRunning ? Job::kRemainder
                                                                                                        : Job::kAim;
   return Progress::kDone;

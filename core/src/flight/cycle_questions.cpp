@@ -15,11 +15,12 @@ constexpr std::uint32_t kOptimiserPart = 2;
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
 /// A request from the start to the aim, at rest, through the points that are asked for.
-Request request_to(const Aim& aim, const FlightSpec& spec) {
+Request request_to(const Aim& aim, const FlightFacts& flight) {
+  const FlightSpec& spec = flight.spec;
   Request request{};
   request.start.position = aim.start.d[0];
   request.goal.position = aim.place;
-  request.limits = spec.limits;
+  request.limits = flight.stray.limits(spec.limits);
   request.fences = spec.fences;
   request.fence_count = spec.fence_count;
   request.vias = aim.asked;
@@ -50,21 +51,21 @@ void Cycle::ask(const FlightFacts& flight) noexcept {
 }
 
 Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
-  planner->begin_route(route.grid(), request_to(aim, flight.spec));
+  planner->begin_route(route.grid(), request_to(aim, flight));
   work.spend(kPlanOperations);
   job = Job::kRoute;
   return Progress::kDone;
 }
 
 Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept {
-  Request request = request_to(aim, flight.spec);
+  Request request = request_to(aim, flight);
   request.begin = takeover;
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
   request.budget.trajectory = flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(takeover);
-  if (from >= 0.0 && from < in_flight.branch) {
+  if (from >= 0.0 && from < in_flight.branch && !flight.stray.is_too_fast) {
     planner->begin(route.grid(), request, in_flight.planned, from);
   } else {
     planner->begin(route.grid(), request);

@@ -43,7 +43,8 @@ bool Evasion::begin(const FlightFacts& flight, const Watch& watch, Draft& draft)
   const bool brake_is_next = plans.has_waiting && !plan_is_next;
   const bool needed = !brake_is_next && !flight.rests() && (watch.threat || plans.at(flight.time).branch > 0.0);
   serves_stop = stop_asked;
-  stop_asked = false;
+  slows = slow_asked && !stop_asked && !watch.threat;
+  stop_asked = slow_asked = false;
   was_tried = was_tried || !brake_is_next;
   if (!needed || (watch.threat && plans.rest_begins() <= flight.time + lead)) return false;
   draft.begin(flight, ticks(flight.spec));
@@ -57,7 +58,8 @@ bool Evasion::is_called_for(const FlightFacts& flight, const Watch& watch, bool 
   const bool is_braking_soon = flight.plans.has_waiting && flight.plans.waiting.evades;
   const bool threatened =
       watch.threat && !was_tried && !is_braking_soon && !(has_pending && leaves_time(flight, watch, takeover));
-  return !is_running && !watch.is_running_but_for_alarm() && flight.map.safe().bound() && (stop_asked || threatened);
+  return !is_running && !watch.is_running_but_for_alarm() && flight.map.safe().bound() &&
+         (stop_asked || slow_asked || threatened);
 }
 
 EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept {
@@ -67,10 +69,11 @@ EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Watch& watch,
 }
 
 /// The sharpest brake straight ahead comes first: hardly any other is slower at its contact. Once a brake is judged,
-/// those along the path follow, because they may be clear. The gentler ones straight ahead come last.
+/// those along the path follow, because they may be clear. The gentler ones straight ahead come last. A vehicle that
+/// strays slows down along the path alone: any other brake asks more of it than the plan does.
 int Evasion::number_of_next() noexcept {
   const bool none_is_judged = best.number < 0;
-  if (straight < kStraight && (none_is_judged || along == kSlowDowns)) return straight++;
+  if (straight < kStraight && !slows && (none_is_judged || along == kSlowDowns)) return straight++;
   return along < kSlowDowns ? kStraight + along++ : kEvasions;
 }
 

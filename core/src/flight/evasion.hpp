@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Evasions: brakes that begin a few ticks ahead, because something came into the way or the user says stop.
+// Evasions: brakes that begin a few ticks ahead, because something came into the way, the user says stop, or the
+// vehicle strays and is to fly slower.
 #ifndef TERN_FLIGHT_EVASION_HPP
 #define TERN_FLIGHT_EVASION_HPP
 
@@ -50,6 +51,8 @@ struct Evasion {
   bool is_running;
   bool stop_asked;    ///< a stop was asked for, and its brake is not made yet
   bool serves_stop;   ///< the current evasion serves a stop
+  bool slow_asked;    ///< the vehicle is to fly slower, and no brake is made for that yet
+  bool slows;         ///< the current evasion serves nothing else
   bool was_tried;     ///< an evasion of the threat was tried on this map
   int missed;         ///< evasions in a row that were too late; one that judged no brake counts twice
   int number;         ///< of the brake that is being judged
@@ -61,6 +64,7 @@ struct Evasion {
 
   void ask_for_stop() noexcept { stop_asked = true; }
   void forget_stop() noexcept { stop_asked = false; }
+  void ask_to_slow() noexcept { slow_asked = true; }
   /// The threat is gone or new: brakes may be tried again.
   void note_news() noexcept { was_tried = false; }
   /// Begins the draft of a brake. False if no brake is needed, or none may begin now.

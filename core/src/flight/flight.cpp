@@ -64,6 +64,14 @@ Status Flight::set_clock(int64_t t) noexcept {
   return state_->facts.map.forget_time();
 }
 
+/// Drops the pending plan if it is too fast now.
+Status Flight::note_position(const Vec3& position, int64_t t) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  if (!finite(position)) return Status::kNonFiniteInput;
+  if (state_->facts.note_position(position, t)) state_->cycle.leave();
+  return Status::kOk;
+}
+
 PointState Flight::point_state(int32_t point) const noexcept {
   const bool exists = state_ != nullptr && point >= 0 && point < state_->facts.itinerary.count;
   return exists ? state_->facts.itinerary.state[point] : PointState::kAhead;

@@ -85,6 +85,10 @@ void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command
   if (command != nullptr) *command = object(flight).command(t);
 }
 
+std::uint8_t tern_flight_note_position(tern_flight* flight, const tern_vec3* position, std::int64_t t) {
+  return position == nullptr ? kInvalid : code(object(flight).note_position(*position, t));
+}
+
 std::uint8_t tern_flight_set_clock(tern_flight* flight, std::int64_t t) {
   return code(object(flight).set_clock(t));
 }

@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "grid/bit_rows.hpp"
+#include "planner/validate.hpp"
 
 namespace tern {
 namespace {
@@ -58,6 +59,13 @@ bool FlightFacts::note_frame() noexcept {
   return true;
 }
 
+bool FlightFacts::note_position(const Vec3& position, std::int64_t t) noexcept {
+  const std::int64_t when = clock.time_of(t);
+  Vec3 planned;
+  return plans.was_at(when, planned) &&
+         stray.note(distance(position, planned), map.safe().spec().tracking_margin, when);
+}
+
 std::int64_t FlightFacts::time_to_answer(std::int64_t t) const noexcept {
   const std::int64_t wanted = clock.time_of(t);
   return wanted < time ? time : wanted;
@@ -85,6 +93,12 @@ void FlightFacts::follow_vehicle() noexcept {
 
 Vec3 FlightFacts::position() const noexcept {
   return plans.sample_at(time).position;
+}
+
+/// At full speed, every plan may be continued.
+bool FlightFacts::is_too_fast_at(std::int64_t takeover) const noexcept {
+  const double share = stray.speed_share();
+  return share < 1.0 && gauge(limits.velocity, plans.sample_at(takeover).velocity) > share * (1.0 + kLimitSlack);
 }
 
 bool FlightFacts::in_window(const Vec3& place) const noexcept {

@@ -13,6 +13,7 @@
 #include "flight/committed_plans.hpp"
 #include "flight/flight_clock.hpp"
 #include "flight/itinerary.hpp"
+#include "flight/stray.hpp"
 #include "tern/flight.hpp"
 #include "tern/map.hpp"
 
@@ -36,6 +37,7 @@ struct FlightFacts {
   std::int64_t gap;    ///< between the last two ticks
   CommittedPlans plans;
   Itinerary itinerary;
+  Stray stray;
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
   std::int64_t frame_time;  ///< of the tick at which `frames` last grew
 
@@ -47,6 +49,8 @@ struct FlightFacts {
   void set_clock(std::int64_t t) noexcept;
   /// True if there are new frames.
   bool note_frame() noexcept;
+  /// The vehicle was measured at `position` when the clock showed `t`. True if less speed is left than before.
+  bool note_position(const Vec3& position, std::int64_t t) noexcept;
   /// Moves the map's window after the vehicle, as far as it must.
   void follow_vehicle() noexcept;
 
@@ -62,6 +66,8 @@ struct FlightFacts {
   }
   /// The vehicle rests at this takeover, or within two ticks of it, if no other plan takes over before.
   bool rests_at(std::int64_t takeover) const noexcept { return takeover + 2 * spec.tick >= plans.rest_begins(); }
+  /// At this takeover, the vehicle is faster than a plan may be that begins there.
+  bool is_too_fast_at(std::int64_t takeover) const noexcept;
   bool is_stale() const noexcept { return spec.stale_after > 0 && time - frame_time > spec.stale_after; }
   /// A plan may end at this place: it keeps the radius and kAimVoxels from the window's faces.
   bool in_window(const Vec3& place) const noexcept;

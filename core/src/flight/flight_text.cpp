@@ -29,6 +29,8 @@ const char* flight_reason_text(FlightReason reason) noexcept {
     case FlightReason::kHemmedIn: return "something is nearer to the vehicle than the radius, and no way leads away from it";
     case FlightReason::kViaBlocked: return "the next point of the mission is occupied or fenced";
     case FlightReason::kViaUnreachable: return "there is no way to the next point of the mission that can be proven free";
+    case FlightReason::kStrays: return "it flies slower: it strays from the plan by most of the tracking margin";
+    case FlightReason::kMarginExceeded: return "it strayed from the plan by more than the tracking margin, and flies slower";
     case FlightReason::kMapStale: return "no new frames come, and there is no way through what the map knows";
   }
   return "unknown";

@@ -24,6 +24,9 @@ double FlightState::note_block_near_vehicle() noexcept {
 void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode_of(facts, watch, search);
   report.reason = facts.itinerary.reason;
+  if (report.reason == FlightReason::kNone && !facts.hovers()) report.reason = facts.stray.reason();
+  report.stray = facts.stray.error;
+  report.speed_share = facts.stray.speed_share();
   report.work = spent;
   report.waits_for_nose = nose.waits_for_nose(facts);
   report.map_stale = facts.is_stale();

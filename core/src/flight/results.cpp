@@ -7,7 +7,8 @@
 
 namespace tern {
 
-/// Begins a plan, unless there is nothing to plan for, or no map to plan on.
+/// Begins a plan, unless there is nothing to plan for, or no map to plan on. A vehicle that is too fast brakes first: a
+/// plan takes over from the brake once the speed that is left is reached.
 void FlightState::begin_cycle() noexcept {
   const bool is_free = !facts.plans.has_waiting && !evasion.stop_asked && !watch.is_running;
   if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound()) return;
@@ -15,6 +16,7 @@ void FlightState::begin_cycle() noexcept {
   const Commitment& in_flight = facts.plans.in_flight;
   const bool stays = facts.itinerary.is_reached_by(in_flight) || facts.itinerary.dwells_after(in_flight);
   if (stays && facts.rests_at(draft.takeover)) return;
+  if (facts.is_too_fast_at(draft.takeover)) return evasion.ask_to_slow();
   ++report.asked;
   cycle.begin(facts, search, draft.takeover);
   if (cycle.job == Job::kLookout) search.begin_lookout();
@@ -163,6 +165,7 @@ void FlightState::enter_draft() noexcept {
   if (draft.changes_committed_plan(facts.plans)) ++report.committed;
   search.note_commit(draft, facts.plans.in_flight);
   watch.note_commit(draft.extends, draft.takeover);
+  if (!draft.extends) facts.stray.note_plan();
   facts.plans.commit(draft.plan, draft.extends);
 }
 

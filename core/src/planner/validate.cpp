@@ -10,10 +10,6 @@
 namespace tern {
 namespace {
 
-/// Relative excess over a limit that a start or goal may have. It may be a state of a plan, so this is the tolerance of
-/// the check (kCheckRelative) plus the rounding of its evaluation.
-constexpr double kLimitSlack = 4e-8;
-
 Verdict check_finite(const Limits& limits) {
   const struct {
     const Vec3& value;

@@ -12,6 +12,10 @@
 
 namespace tern {
 
+/// Relative excess over a limit that a start or goal may have. It may be a state of a plan, so this is the tolerance of
+/// the check (kCheckRelative) plus the rounding of its evaluation.
+constexpr double kLimitSlack = 4e-8;
+
 /// Validates every field of a request before any stage runs; first, all numbers must be finite. World frame. If the
 /// request is accepted, `limits` receives its limits in the form that the stages use.
 Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits) noexcept;

@@ -36,8 +36,9 @@ enum class FlightEventKind : std::uint8_t {
   kTick,
   kClock,
   kBeams,
+  kPosition,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kBeams);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kPosition);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 
@@ -151,7 +152,7 @@ void list_yaw_sample(Words& words, Sample& sample) {
 }
 
 /// The fields that hold decisions. Those of a blockage are left out: they are for people, and another version may find
-/// a better blockage to name.
+/// a better blockage to name. So are those that follow from measured positions, which the record has.
 template <typename Words, typename Report>
 void list_flight_report(Words& words, Report& report) {
   words(report.mode);

@@ -68,6 +68,13 @@ Status FlightRecorder::stop(Status answer) noexcept {
   return Event(*this, FlightEventKind::kStop, answer).end();
 }
 
+Status FlightRecorder::note_position(const Vec3& position, int64_t t, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kPosition, answer);
+  event.words()(position);
+  event.words()(t);
+  return event.end();
+}
+
 Status FlightRecorder::set_clock(int64_t t, Status answer) noexcept {
   Event event(*this, FlightEventKind::kClock, answer);
   event.words()(t);

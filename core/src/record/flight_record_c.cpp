@@ -137,6 +137,12 @@ std::uint8_t tern_flight_record_stop(tern_flight_recorder* recorder, std::uint8_
   return record(recorder, true, [=](FlightRecorder& r) { return r.stop(status(answer)); });
 }
 
+std::uint8_t tern_flight_record_note_position(tern_flight_recorder* recorder, const tern_vec3* position, std::int64_t t,
+                                              std::uint8_t answer) {
+  return record(recorder, position != nullptr,
+                [=](FlightRecorder& r) { return r.note_position(*position, t, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_set_clock(tern_flight_recorder* recorder, std::int64_t t, std::uint8_t answer) {
   return record(recorder, true, [=](FlightRecorder& r) { return r.set_clock(t, status(answer)); });
 }

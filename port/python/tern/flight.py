@@ -126,7 +126,8 @@ class Command:
 class Tick:
     """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, for how many
     nanoseconds no frame was entered into the map, and what is in the way ("nothing", "unseen", "obstacle", "window",
-    "fence"), where (world frame, metres), and for a fence its index among the flight's, otherwise -1."""
+    "fence"), where (world frame, metres), and for a fence its index among the flight's, otherwise -1. Then how far the
+    vehicle was last measured to be off the plan, metres, and the part of its speed that this leaves."""
     mode: str
     reason: str
     arrived: bool
@@ -140,6 +141,8 @@ class Tick:
     blocked_by: str
     blocked_at: np.ndarray
     blocked_fence: int
+    stray: float
+    speed_share: float
 
 
 class Flight:
@@ -183,7 +186,11 @@ class Flight:
         return Tick(_MODES[report.mode], reason, report.reason == lib.TERN_FLIGHT_ARRIVED, report.asked,
                     report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
                     report.frame_age, _BLOCKERS[report.blocked_by], np.array(triple(report.blocked_at)),
-                    report.blocked_fence)
+                    report.blocked_fence, report.stray, report.speed_share)
+
+    def note_position(self, position: Sequence[float], t: int) -> None:
+        """Says where the vehicle was measured to be at time `t`. It flies slower while it strays from its plan."""
+        require(lib.tern_flight_note_position(self.struct, ffi.new("tern_vec3*", vector(position)), t), "position")
 
     def set_clock(self, t: int) -> None:
         """The clock was set, back or ahead, and shows `t` now: one tick after the last one."""

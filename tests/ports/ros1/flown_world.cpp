@@ -83,6 +83,7 @@ void FlownWorld::set_parameters() const {
                                                     {"setpoint_rate", 100.0},
                                                     {"display_rate", 20.0},
                                                     {"heading_jump", 1.0},
+                                                    {"slow_when_straying", 0.0},  // it uses the margin up
                                                     {"stray", 5.0}};
   for (const auto& [name, value] : parameters) ros::param::set("/tern/" + name, value);
   sensors_.set_parameters();

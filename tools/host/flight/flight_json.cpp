@@ -49,6 +49,7 @@ Json settings_json(const FlightSettings& s) {
           {"time_limit", s.time_limit},
           {"goal_tolerance", s.goal_tolerance},
           {"tracking", s.tracking},
+          {"monitor", s.monitor},
           {"wind", wind_json(s.air)},
           {"gusts", s.air.deviation()},
           {"drag", s.air.drag},

@@ -119,6 +119,7 @@ Setters all_setters() {
                  {"v_max", real(&S::v_max, 0.01, 100.0)},
                  {"a_max", real(&S::a_max, 0.01, 100.0)},
                  {"j_max", real(&S::j_max, 0.0, 1e6)},
+                 {"monitor", whole(&S::monitor, 0.0, 1.0)},
                  {"stack_speed", real(&S::stack_speed, 0.1, 100.0)},
                  {"yaw_rate", set_yaw_rate},
                  {"yaw_acceleration", set_yaw_acceleration},
@@ -232,6 +233,10 @@ void choose_evidence(FlightSettings& s) {
   if (s.support < 0) s.support = errs ? 1 : 0;
 }
 
+void choose_monitor(FlightSettings& s) {
+  if (s.monitor < 0) s.monitor = is_stack(s.tracking) ? 1 : 0;
+}
+
 void replace_settings(const std::vector<std::string>& overrides, FlightWorld& world) {
   for (const std::string& setting : overrides) {
     const Place place{"--set", 0};
@@ -271,6 +276,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   check_fov(world.settings, {path, 0});
   choose_voxels(world);
   choose_evidence(world.settings);
+  choose_monitor(world.settings);
   warn_of_records(boxes, b, reach_of(b, radius_of(world.settings), world.settings.cell), path, world.warnings);
   if (world.settings.goal_jitter.size > 0.0 && !world.vias.empty()) {
     throw RecordError({path, 0}, "goal_jitter is for worlds without vias: each new goal begins the mission anew");

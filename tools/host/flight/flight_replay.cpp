@@ -78,6 +78,8 @@ class Player {
         return tick(event);
       case FlightEventKind::kClock:
         return set_clock(event);
+      case FlightEventKind::kPosition:
+        return note_position(event);
     }
     return Status::kRecordDamaged;
   }
@@ -206,6 +208,11 @@ class Player {
     yaw.headings = headings.data();
     yaw.heading_count = static_cast<std::int32_t>(headings.size());
     return flight_.set_yaw(yaw);
+  }
+
+  Status note_position(FlightEvent& event) {
+    const tern::Vec3 position = read<tern::Vec3>(event);
+    return flight_.note_position(position, read<std::int64_t>(event));
   }
 
   /// What was flown until then took as long as the ticks say.

@@ -30,7 +30,8 @@ tern::MapSpec map_spec_of(const FlightWorld& world) {
   const tern::Voxel dims{voxels(s.window.x, s.cell), voxels(s.window.y, s.cell), voxels(height, s.cell)};
   const double bottom = height < s.window.z ? b.lower.z - 2.0 * s.cell : world.start.z - 0.5 * height;
   const tern::Vec3 origin{world.start.x - 0.5 * s.window.x, world.start.y - 0.5 * s.window.y, bottom};
-  tern::MapSpec spec = tern::map_spec(origin, s.cell, dims, radius_of(s));
+  tern::MapSpec spec = tern::map_spec(origin, s.cell, dims, s.body_radius + s.pose_margin);
+  spec.tracking_margin = s.tracking_margin;
   spec.range = s.sensor_range;
   spec.depth_margin = s.depth_margin + s.depth_noise * s.sensor_range;
   spec.pose_margin = s.pose_margin;

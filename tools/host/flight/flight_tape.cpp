@@ -17,6 +17,16 @@ FlightTape::FlightTape(std::string* out, std::size_t frame_bytes) : out_(out) {
   recorder_.begin(buffer_.data(), buffer_.size());
 }
 
+void FlightTape::note_position(tern::Flight& flight, const tern::Vec3& position, std::int64_t t) {
+  recorder_.note_position(position, t, flight.note_position(position, t));
+}
+
+void FlightTape::tick(const tern::Flight& flight, std::int64_t t, const tern::FlightReport& report,
+                      tern::Status answer) {
+  recorder_.tick(flight, t, report, answer);
+  save();
+}
+
 void FlightTape::save() {
   if (out_ == nullptr) return;
   out_->append(reinterpret_cast<const char*>(buffer_.data()), recorder_.pending());

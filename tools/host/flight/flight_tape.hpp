@@ -20,11 +20,15 @@ class FlightTape {
   FlightTape(std::string* out, std::size_t frame_bytes);
 
   tern::FlightRecorder& recorder() { return recorder_; }
-  /// Between two frames at most: the buffer has room for one.
-  void save();
+  /// Tells the flight where the vehicle is, and records that.
+  void note_position(tern::Flight& flight, const tern::Vec3& position, std::int64_t t);
+  /// Records a tick, and saves: between two frames at most, because the buffer has room for one.
+  void tick(const tern::Flight& flight, std::int64_t t, const tern::FlightReport& report, tern::Status answer);
   void finish();
 
  private:
+  void save();
+
   std::string* out_;
   std::vector<std::uint8_t> buffer_;
   tern::FlightRecorder recorder_;

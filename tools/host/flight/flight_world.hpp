@@ -80,6 +80,8 @@ struct FlightSettings {
   double time_limit = 120.0;
   double goal_tolerance = 0.01;
   std::string tracking = "bounded";  ///< a kind of vehicle (vehicle.hpp)
+  int monitor = -1;                  ///< 1: the flight is told where the vehicle is; negative in a file that does not
+                                     ///< say: under a flight stack
   Air air;                           ///< for rigid bodies
   double stack_speed = 12.0;         ///< MPC_XY_VEL_MAX of "px4", WPNAV_SPEED of "ardupilot", m/s
   std::uint64_t seed = 1;

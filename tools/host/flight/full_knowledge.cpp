@@ -41,7 +41,7 @@ tern::GridSpec spec_of(const FlightWorld& world) {
 }  // namespace
 
 double radius_of(const FlightSettings& settings) {
-  return settings.body_radius + settings.tracking_margin + settings.pose_margin;
+  return settings.body_radius + settings.pose_margin + settings.tracking_margin;
 }
 
 tern::Limits limits_of(const FlightSettings& s) {

@@ -170,11 +170,11 @@ class Simulation {
   void do_tick() {
     sensor_.deliver(time_);
     move_goal();
+    if (world_.settings.monitor > 0) tape_.note_position(flight_, vehicle_->estimate(), time_);
     watch_->before(time_);
     const tern::Status ticked = flight_.tick(time_, report_);
     past_.note(state());
-    tape_.recorder().tick(flight_, time_, report_, ticked);
-    tape_.save();
+    tape_.tick(flight_, time_, report_, ticked);
     watch_->look(time_, report_);
     if (!faults_.appeared().empty() || report_.mode == tern::FlightMode::kThreat) threats_->look(time_, report_);
     mission_->look(time_, report_);

@@ -64,6 +64,7 @@ struct WatchSettings {
   double frame_age = 0.5;
   double stale_after = 1.0;
   double stray = 1.5;
+  bool slow_when_straying = true;
 };
 
 struct Settings {

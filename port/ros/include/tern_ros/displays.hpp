@@ -111,11 +111,11 @@ void write_diagnostics(const tern_onboard::Onboard& onboard, std::int64_t now, D
   using tern_onboard::State;
   const bool threat = status.report.mode == tern::FlightMode::kThreat && status.state == State::kFlying;
   const bool bad = status.state == State::kLost || threat;
+  const bool slow = status.state == State::kFlying && status.report.speed_share < 1.0;
   message.name = "tern: flight";
   message.hardware_id = "tern";
-  message.level = bad                                                         ? DiagnosticStatus::ERROR
-                  : status.state == State::kNoPose || status.report.map_stale ? DiagnosticStatus::WARN
-                                                                              : DiagnosticStatus::OK;
+  const bool warns = status.state == State::kNoPose || status.report.map_stale || slow;
+  message.level = bad ? DiagnosticStatus::ERROR : warns ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
   message.message = tern_onboard::describe(status);
   message.values.clear();
   const auto put = [&message](const std::string& key, const std::string& value) {
@@ -141,6 +141,7 @@ void write_diagnostics(const tern_onboard::Onboard& onboard, std::int64_t now, D
   put("age of the pose, s", number(1e-9 * static_cast<double>(status.pose_age)));
   put("off the command, m", number(status.stray));
   put("off the command at most, m", number(status.stray_max));
+  put("part of the speed that this leaves", number(status.report.speed_share));
   for (const tern_onboard::SensorState& sensor : status.sensors) {
     put(sensor.name + ": frames", std::to_string(sensor.taken));
     put(sensor.name + ": age of the last frame, s",
