@@ -101,9 +101,9 @@ TEST(HullClear, ShortLinesMayTouchAnEdge) {
   const Vec3 inwards{1.0, 0.0, -1.0};
   Voxel found{};
   const auto clear = [&](const Vec3& at, const Vec3& along) {
-    return room.clear(at - 1e-5 * along, at + 1e-5 * along, touching, found);
+    return room.clear(at - 1e-5 * along, at + 0.6e-5 * along, touching, found);
   };
-  for (const Vec3& along : {Vec3{0.4, 0.0, 0.4}, Vec3{0.4, 0.13, 0.4}, Vec3{-0.3, 0.2, -0.7}}) {
+  for (const Vec3& along : {Vec3{0.4, 0.0, 0.4}, Vec3{0.4, 0.13, 0.4}, Vec3{-0.3, 0.2, -0.7}, Vec3{0.4, 2.0, 0.4}}) {
     EXPECT_TRUE(clear(on_edge, along));
     EXPECT_TRUE(clear(on_edge + 1e-9 * inwards, along));
     EXPECT_FALSE(clear(on_edge + 1e-8 * inwards, along));

@@ -6,14 +6,17 @@
 
 #include "base/math.hpp"
 #include "grid/bit_rows.hpp"
+#include "tern/halfspace.hpp"
 
 namespace tern {
 namespace {
 
-/// How often the pair of nearest points is improved before the search for a plane is given up. Along an edge that the
-/// curve may graze, each improvement only halves the distance from the pair of nearest points.
-constexpr int kImprovements = 4;
-constexpr int kGrazingImprovements = 16;
+/// How many pairs of points are tried before the search for a plane is given up. A curve that may graze an edge needs
+/// the nearest pair, which is computed. Otherwise each pair is made from the one before.
+constexpr int kPairs = 4;
+constexpr int kGrazingPairs = 2;
+/// Dot products of computing the nearest pair.
+constexpr Operations kNearestDots = 2 * (kBoxPlanes + 2);
 /// Factor that outweighs the rounding of a sum of three squares.
 constexpr double kLonger = 1.0 + 1e-15;
 /// A little more than the root of three: a box whose sides move in by 1 moves in by that along its diagonal.
@@ -30,6 +33,28 @@ Vec3 nearest_on_line(const Vec3& a, const Vec3& b, const Vec3& p) {
   const double square = dot(along, along);
   if (!(square > 0.0)) return a;
   return a + clamp(dot(along, p - a) / square, 0.0, 1.0) * along;
+}
+
+/// The point of the line from a to b that is nearest to the box. Along the line, the square of the distance is convex,
+/// and its slope is linear between the planes of the box's faces.
+Vec3 nearest_on_line(const Vec3& a, const Vec3& b, const Box& box) {
+  const Vec3 along = b - a;
+  const auto slope_at = [&](double t) {
+    const Vec3 q = a + t * along;
+    return dot(along, q - nearest_in(box, q));
+  };
+  double begin = 0.0;
+  double end = 1.0;
+  for (int k = 0; k < kBoxPlanes; ++k) {
+    const double face = axis(k % 2 == 0 ? box.lower : box.upper, k / 2);
+    const double t = (face - axis(a, k / 2)) / axis(along, k / 2);
+    if (t > begin && t < end) (slope_at(t) < 0.0 ? begin : end) = t;
+  }
+  const double falls = slope_at(begin);
+  const double rises = slope_at(end);
+  if (!(falls < 0.0)) return a + begin * along;
+  if (!(rises > 0.0)) return a + end * along;
+  return a + (begin - falls * ((end - begin) / (rises - falls))) * along;
 }
 
 /// Distance of two intervals; negative if they overlap.
@@ -88,9 +113,10 @@ Box core_of(const Box& box, double depth) {
   return core;
 }
 
-/// How often plane_between() improves its pair at this distance.
-int improvements_at(double distance) {
-  return distance < 0.0 ? kGrazingImprovements : kImprovements;
+/// Operations of plane_between() for a hull of so many points, after the first pair.
+Operations pairs_operations(double distance, int count) {
+  if (distance < 0.0) return ((kGrazingPairs - 1) * count + kNearestDots) * ops::kDot;
+  return (kPairs - 1) * count * ops::kDot;
 }
 
 /// Looks for a plane that has the box behind it, and all points in front of it by at least the distance. Any point q
@@ -98,19 +124,22 @@ int improvements_at(double distance) {
 /// best q is the hull's point nearest to the box. It is sought on the line between the curve's ends. If the distance is
 /// negative, q may be on the box or inside it, so the box's core takes its place.
 bool plane_between(const Vec3* points, int count, const Box& whole, double distance) {
-  const Box box = distance < 0.0 ? core_of(whole, -distance) : whole;
+  const bool grazes = distance < 0.0;
+  const Box box = grazes ? core_of(whole, -distance) : whole;
   const double wanted = larger(distance, 0.0);
-  const int improvements = improvements_at(distance);
-  Vec3 q = 0.5 * (points[0] + points[count - 1]);
-  for (int k = 0; k < improvements; ++k) {
+  const int pairs = grazes ? kGrazingPairs : kPairs;
+  const Vec3& first = points[0];
+  const Vec3& last = points[count - 1];
+  Vec3 q = 0.5 * (first + last);
+  for (int k = 0; k < pairs; ++k) {
     const Vec3 p = nearest_in(box, q);
     const Vec3 normal = q - p;
     const double size = length(normal);
-    if (!(size > 0.0)) return false;
-    double least = dot(normal, points[0] - p);
+    if (!(size > 0.0) && !grazes) return false;
+    double least = dot(normal, first - p);
     for (int i = 1; i < count; ++i) least = smaller(least, dot(normal, points[i] - p));
-    if (least >= wanted * size) return true;
-    q = nearest_on_line(points[0], points[count - 1], p);
+    if (size > 0.0 && least >= wanted * size) return true;
+    q = grazes ? nearest_on_line(first, last, box) : nearest_on_line(first, last, p);
   }
   return false;
 }
@@ -158,7 +187,7 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     const double distance = distance_from(hull, box);
     const bool may_touch = hull.keeps.departed != nullptr && !(distance > 0.0);
     bool apart = may_touch || boxes_apart(hull.box, box, distance);
-    work.spend(8 * ops::kDot + (apart ? 0 : (improvements_at(distance) - 1) * hull.count * ops::kDot));
+    work.spend(8 * ops::kDot + (apart ? 0 : pairs_operations(distance, hull.count)));
     apart = apart || plane_between(hull.points, hull.count, box, distance);
     if (!apart) {
       found = {nearest_voxel(hull, {x, end}, cell), y, z};
