@@ -3,6 +3,7 @@
 """What the scripts for PX4's and ArduPilot's simulators share: building, waiting, and saying what went wrong."""
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import time
@@ -84,7 +85,14 @@ def build_tern(folder, log, options, targets=()):
     run("build Tern", build, log)
 
 
-def wait_for(what, seconds, condition, server):
+def free_port():
+    """A UDP port that nobody uses."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def wait_for(what, seconds, condition, server, pause=0.2):
     """Asks until `condition` is true; fails when the server has ended."""
     say(f"wait for {what}")
     end = time.monotonic() + seconds
@@ -93,7 +101,7 @@ def wait_for(what, seconds, condition, server):
         if status is not None or time.monotonic() > end:
             why = f"not within {seconds:.0f} s" if status is None else f"the simulator ended with status {status}"
             raise Failure(f"no {what}: {why}. The end of {server.log}:\n{tail(server.log)}")
-        time.sleep(0.2)
+        time.sleep(pause)
 
 
 class Server:

@@ -104,7 +104,7 @@ class Simulation {
     const auto end = static_cast<std::int64_t>(1e9 * world_.settings.time_limit);
     autopilot_.report();  // a heartbeat: the companion answers nobody else
     flush();
-    for (time_ = kStep; time_ <= end && !outcome_.touched && !companion_.has_ended(); time_ += kStep) {
+    for (time_ = kStep; time_ <= end && !outcome_.touched && goes_on(); time_ += kStep) {
       move();
       const double t = 1e-9 * static_cast<double>(time_);
       if (flight_.pilot) {
@@ -121,6 +121,11 @@ class Simulation {
   }
 
  private:
+  bool goes_on() {
+    if (!companion_.has_ended()) ended_ = time_;
+    return time_ <= ended_ + static_cast<std::int64_t>(1e9 * flight_.after_end);
+  }
+
   /// To the end of the step; looks at the true world on the way.
   void move() {
     for (int k = kLooks - 1; k >= 0 && !outcome_.touched; --k) {
@@ -143,6 +148,7 @@ class Simulation {
   void step() {
     flush();
     autopilot_.report();
+    if (companion_.has_ended()) return;
     companion_.send(autopilot_.step_request(time_ + began_));
     const std::int64_t patience = monotonic() + kPatience;
     while (!autopilot_.take_step_answer()) {
@@ -190,7 +196,7 @@ class Simulation {
   SimulatedAutopilot autopilot_;
   std::int64_t began_;  // the companion's clock when the autopilot booted
   BodySensors sensors_;
-  std::int64_t time_ = 0;
+  std::int64_t time_ = 0, ended_ = 0;
   bool camera_works_ = true;
   FlightOutcome outcome_;
 };

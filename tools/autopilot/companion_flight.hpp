@@ -29,6 +29,7 @@ struct CompanionFlight {
   std::string sensors = "camera";  ///< as BodySensors has it
   bool goal_by_link = false;       ///< the program is not told the goal when it starts; otherwise it ends there
   bool real_time = false;          ///< by the clock, with the delays of this computer; otherwise in lockstep
+  double after_end = 0.0;          ///< s for which the autopilot flies on once the program has ended
   /// Called at each step; empty: after a second it is armed and in the air, and from then on the pilot tries the
   /// switch.
   std::function<void(double t, const FlightHands&)> pilot;
@@ -53,8 +54,8 @@ std::vector<std::string> companion_world_settings();
 /// The pilot of most flights: arms, is in the air a second later, and tries the switch until the autopilot takes it.
 void plain_pilot(double t, const FlightHands& hands);
 
-/// Flies until the program ends, or the world's time limit. Throws std::runtime_error if the program does not start or
-/// does not answer.
+/// Flies until the program ends and `after_end` is over, or the world's time limit. Throws std::runtime_error if the
+/// program does not start or does not answer.
 FlightOutcome fly(const tern_host::FlightWorld& world, const CompanionFlight& flight);
 
 }  // namespace tern_autopilot

@@ -124,6 +124,11 @@ void CompanionProcess::interrupt() {
   if (process_ > 0) kill(process_, SIGINT);
 }
 
+void CompanionProcess::crash() {
+  if (process_ > 0) kill(process_, SIGKILL);
+  wait();
+}
+
 bool CompanionProcess::has_ended() {
   return process_ < 0;
 }

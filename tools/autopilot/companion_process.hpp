@@ -27,6 +27,8 @@ class CompanionProcess {
   /// Waits for a datagram, at most so many milliseconds. Empty if none came, or if the program has ended.
   std::vector<std::uint8_t> receive(int milliseconds);
   void interrupt();
+  /// Ends it at once, as a crash would.
+  void crash();
   bool has_ended();
   /// Waits for its end. Its exit status; -1 for a signal.
   int wait();
