@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
@@ -106,6 +107,25 @@ inline double speed(const trajectory_setpoint_s& s) {
 inline int fly(const std::function<void(double)>& script) {
   px4.script = [script] { script(px4.seconds()); };
   return call({"tern_offboard", "start", "10", "2", "2", TERN_PX4_WORLD, "blind"});
+}
+
+inline std::string map_file(const std::string& lines) {
+  const std::string path = "px4_map.txt";
+  std::ofstream(path) << lines;
+  return path;
+}
+
+/// A map without blocks.
+constexpr const char* kOpen =
+    "boundary -5 -10 0.5 15 10 6  # free\nresolution 0.4\nradius 0.3\n\ntracking_margin 0.3\nv_horizontal 1\nv_max 2 "
+    "2 1\nstart 0 0 1\n";
+
+/// Flies to (10, 2, 2) with a map of these lines.
+inline int fly_with(const std::string& lines, const std::function<void(double)>& script, bool is_blind = false) {
+  px4.script = [script] { script(px4.seconds()); };
+  std::vector<std::string> words = {"tern_offboard", "start", "10", "2", "2", map_file(lines)};
+  if (is_blind) words.push_back("blind");
+  return call(words);
 }
 
 /// The pilot's switch: offboard from kSwitch to kEnd.

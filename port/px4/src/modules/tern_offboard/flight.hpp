@@ -107,6 +107,7 @@ class Offboard {
     }
     if (is_reset(seen)) move_on(seen, now);
     if (wants_end_) end("stop");
+    if (!is_lost_) the_flight().note_position(seen.here.position, nanoseconds(seen.stamp));  // strays: it flies slower
     if (!is_blind_ && !is_lost_) sensors.enter(the_map(), seen);
     send(now, topics);
     const tern::FlightReport before = report_;

@@ -32,8 +32,9 @@ struct Hover {
 struct Seen {
   hrt_abstime now;
   bool offboard;
-  bool flying;  ///< armed and off the ground
-  bool valid;   ///< the estimate of position and velocity
+  bool flying;        ///< armed and off the ground
+  bool valid;         ///< the estimate of position and velocity
+  hrt_abstime stamp;  ///< of the estimate
   Hover here;
   double speed;
   uint8_t resets[5];  ///< how often the estimator has reset position, velocity and heading
@@ -70,6 +71,7 @@ class Topics {
     seen.offboard = has_status && status.nav_state == vehicle_status_s::NAVIGATION_STATE_OFFBOARD;
     seen.flying = has_status && status.arming_state == vehicle_status_s::ARMING_STATE_ARMED && !landed;
     seen.valid = has_local && is_valid(local, seen.now);
+    seen.stamp = local.timestamp;
     seen.here.position =
         tern::ned_from_enu({static_cast<double>(local.x), static_cast<double>(local.y), static_cast<double>(local.z)});
     seen.here.heading = static_cast<double>(local.heading);
