@@ -6,7 +6,7 @@ sensors and judges contact.
 
   ros1_flights.py --node NODE --world ros1_fly_world [--family P25] [--first 20000] [--flights 1]
                   [--sensors camera|cameras|lidar|both] [--spoilt 0.05] [--jump 1.0] [--least-reached SHARE] [--bags]
-                  [--real-time]
+                  [--real-time] [--output multidof|mavros]
 
 Prints a line for each flight and a summary. Exit status 0 if there was no contact, enough goals were reached, and the
 node showed markers and a map that fit the world."""
@@ -20,6 +20,8 @@ import sys
 from ros1.master import Master, end
 
 NODE_LOG = "node.log"
+AGREES = 1.0  # s, for which a node that is played a bag must send the bag's setpoints. Then it may plan otherwise: the
+# messages do not always reach it in the same tick
 MOST_OFF = 0.5  # m, of a voxel in which something was seen from the nearest thing of the true world
 
 
@@ -27,7 +29,8 @@ def fly(options, member, master, *bag):
     """One flight: what ros1_fly_world says of it. `bag`: "record" or "play", and the file."""
     log = open(master.folder / NODE_LOG, "a")
     clock = "real" if options.real_time else "lockstep"
-    world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump), options.sensors, clock, *bag],
+    world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump), options.sensors, clock,
+                              options.output, *bag],
                              env=master.environment, stdout=subprocess.PIPE, text=True)
     node = None
     try:
@@ -77,11 +80,12 @@ def main():
     parser.add_argument("--spoilt", type=float, default=0.0, help="share of messages that are lost or wrong")
     parser.add_argument("--jump", type=float, default=0.0, help="metres that the estimate jumps by")
     parser.add_argument("--least-reached", type=float, default=1.0, help="share of the goals")
-    parser.add_argument("--bags", action="store_true", help="record each flight to a bag, and play that to a new node")
+    parser.add_argument("--bags", action="store_true", help="record each flight to a bag, and play it to a new node")
     parser.add_argument("--real-time", action="store_true", help="by the clock, instead of as fast as the computer can")
+    parser.add_argument("--output", default="multidof", choices=["multidof", "mavros"], help="form of the setpoints")
     parser.add_argument("--log", help="folder for the node's log")
     options = parser.parse_args()
-    flights, faults = [], []
+    flights, played, faults = [], [], []
     with Master(options.log) as master:
         (master.folder / NODE_LOG).unlink(missing_ok=True)
         for seed in range(options.first, options.first + options.flights):
@@ -89,10 +93,12 @@ def main():
             bag = str(master.folder / f"{options.family}_{seed}.bag")
             for how in ("record", "play") if options.bags else (None,):
                 flown = fly(options, member, master, *((how, bag) if how else ()))
-                flights.append(flown)
+                (played if how == "play" else flights).append(flown)
                 print(json.dumps(flown), flush=True)
                 faults.append(displays_fault(flown, options) if flown["end"] == "reached" else None)
-        faults.append(log_fault(pathlib.Path(master.folder, NODE_LOG).read_text(), options, len(flights)))
+        log = pathlib.Path(master.folder, NODE_LOG).read_text()
+        faults.append(log_fault(log, options, len(flights) + len(played)))
+        faults += [f"a bag was not flown again: {flown}" for flown in played if flown.get("agreed", 0.0) < AGREES]
     faults = [fault for fault in faults if fault]
     ends = [flown["end"] for flown in flights]
     reached, contacts = ends.count("reached"), ends.count("contact")

@@ -3,6 +3,7 @@
 #include "ros1/flown_world.hpp"
 
 #include <geometry_msgs/PoseStamped.h>
+#include <mavros_msgs/State.h>
 #include <ros/callback_queue.h>
 #include <rosgraph_msgs/Clock.h>
 
@@ -12,6 +13,7 @@
 
 #include "host/flight/assumed_ball.hpp"
 #include "host/flight/flight_recorder.hpp"
+#include "tern_ros/inputs.hpp"
 
 namespace tern_test {
 namespace {
@@ -53,8 +55,10 @@ FlownWorld::FlownWorld(const std::string& member, const FlownSettings& settings)
   odometry_ = node_.advertise<nav_msgs::Odometry>("odometry", 100);
   goal_ = node_.advertise<geometry_msgs::PoseStamped>("goal", 1);
   tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
-  setpoints_ =
-      node_.subscribe("command/trajectory", 100, &FlownWorld::on_setpoint, this, ros::TransportHints().tcpNoDelay());
+  mode_ = node_.advertise<mavros_msgs::State>("mavros/state", 10);
+  const auto quick = ros::TransportHints().tcpNoDelay();
+  setpoints_ = settings.mavros ? node_.subscribe("mavros/setpoint_raw/local", 100, &FlownWorld::on_target, this, quick)
+                               : node_.subscribe("command/trajectory", 100, &FlownWorld::on_setpoint, this, quick);
 }
 
 void FlownWorld::set_parameters() const {
@@ -87,6 +91,7 @@ void FlownWorld::set_parameters() const {
                                                     {"stray", 5.0}};
   for (const auto& [name, value] : parameters) ros::param::set("/tern/" + name, value);
   sensors_.set_parameters();
+  ros::param::set("/tern/output", settings_.mavros ? "mavros" : "multidof");
   ros::param::set("/use_sim_time", !settings_.real_time);
 }
 
@@ -126,6 +131,7 @@ Flown FlownWorld::fly() {
 /// To the next tick.
 void FlownWorld::step() {
   publish_pose();
+  publish_mode();
   sensors_.step(vehicle_->position(), yaw(), seconds(), now_);
   publish_clock();
   if (settings_.real_time ? !wait_for_clock() : !wait_for_setpoint()) ++flown_.late;
@@ -162,6 +168,16 @@ void FlownWorld::publish_pose() {
   earlier_ = odometry;
 }
 
+/// The pilot switches the mode shortly before there is a goal.
+void FlownWorld::publish_mode() {
+  if (!settings_.mavros) return;
+  mavros_msgs::State state;
+  state.header.stamp = time_of(now_);
+  state.armed = 1;
+  state.mode = seconds() < 0.4 ? "POSCTL" : "OFFBOARD";
+  mode_.publish(state);
+}
+
 void FlownWorld::publish_goal() {
   geometry_msgs::PoseStamped goal;
   goal.header.frame_id = "map";
@@ -173,29 +189,47 @@ void FlownWorld::publish_goal() {
 }
 
 void FlownWorld::on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& message) {
-  const auto& point = message.points.at(0);
-  const auto& p = point.transforms.at(0).translation;
-  const auto& q = point.transforms[0].rotation;
-  const auto& v = point.velocities.at(0).linear;
-  const auto& a = point.accelerations.at(0).linear;
-  setpoint_stamp_ = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  using tern_ros::vector_of;
   outlet_.note(setpoints_.getTopic(), message, now_);
+  const auto& point = message.points.at(0);
+  const auto& q = point.transforms.at(0).rotation;
+  const auto &velocity = point.velocities.at(0), &acceleration = point.accelerations.at(0);
+  tern_host::Setpoint setpoint{};
+  setpoint.sample = {
+      vector_of(point.transforms[0].translation), vector_of(velocity.linear), vector_of(acceleration.linear), {}, {}};
+  setpoint.yaw = 2.0 * std::atan2(q.z, q.w);
+  setpoint.yaw_rate = velocity.angular.z;
+  take_setpoint(setpoint, message.header.stamp);
+}
+
+void FlownWorld::on_target(const mavros_msgs::PositionTarget& message) {
+  using tern_ros::vector_of;
+  if (message.type_mask != 0 || message.coordinate_frame != mavros_msgs::PositionTarget::FRAME_LOCAL_NED) return;
+  tern_host::Setpoint setpoint{};
+  setpoint.sample = {
+      vector_of(message.position), vector_of(message.velocity), vector_of(message.acceleration_or_force), {}, {}};
+  setpoint.yaw = static_cast<double>(message.yaw);
+  setpoint.yaw_rate = static_cast<double>(message.yaw_rate);
+  take_setpoint(setpoint, message.header.stamp);
+}
+
+void FlownWorld::take_setpoint(const tern_host::Setpoint& setpoint, const ros::Time& stamp) {
+  setpoint_stamp_ = static_cast<std::int64_t>(stamp.toNSec());
   // Before the flight somebody else holds the vehicle, and setpoints are where it is.
   const std::string& told = displays_.told();
   if (told.empty() || told == "no pose" || told == "ready") return;
   setpoint_time_ = 1e-9 * static_cast<double>(setpoint_stamp_ - begin_);
   // After a jump of the estimate, setpoints are in its old frame until the node knows. A vehicle with inertia hardly
   // moves in that time.
-  const tern::Vec3& before = setpoint_.sample.position;
+  const tern::Vec3 p = setpoint.sample.position, before = setpoint_.sample.position;
   const auto step = [&](const tern::Vec3& jump) {
     return std::hypot(p.x - jump.x - before.x, std::hypot(p.y - jump.y - before.y, p.z - jump.z - before.z));
   };
   if (step(jumped_) < step(known_jump_)) known_jump_ = jumped_;
-  const tern::Vec3& jump = known_jump_;
-  setpoint_.sample = {{p.x - jump.x, p.y - jump.y, p.z - jump.z}, {v.x, v.y, v.z}, {a.x, a.y, a.z}, {}, {}};
-  const double yaw = 2.0 * std::atan2(q.z, q.w);
-  setpoint_.yaw += std::remainder(yaw - setpoint_.yaw, 2.0 * std::acos(-1.0));
-  setpoint_.yaw_rate = point.velocities[0].angular.z;
+  const double yaw = setpoint_.yaw + std::remainder(setpoint.yaw - setpoint_.yaw, 2.0 * std::acos(-1.0));
+  setpoint_ = setpoint;
+  setpoint_.sample.position = {p.x - known_jump_.x, p.y - known_jump_.y, p.z - known_jump_.z};
+  setpoint_.yaw = yaw;
 }
 
 /// The setpoint for now: the clock stands still until it is there.

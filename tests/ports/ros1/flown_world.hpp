@@ -6,6 +6,7 @@
 #ifndef TERN_TESTS_PORTS_ROS1_FLOWN_WORLD_HPP
 #define TERN_TESTS_PORTS_ROS1_FLOWN_WORLD_HPP
 
+#include <mavros_msgs/PositionTarget.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
@@ -28,6 +29,7 @@ struct Flown {
   double time = 0.0;            ///< seconds of the flight
   double clearance = 1e9;       ///< least, of the centre, m
   double off = 0.0;             ///< of the vehicle off the setpoints at most, m
+  double agreed = 0.0;          ///< of a bag that is played: seconds until a setpoint is 0.1 m off the one in the bag
   std::uint64_t late = 0;       ///< ticks for which no setpoint came within 0.2 s of true time
 };
 
@@ -35,7 +37,8 @@ struct Flown {
 struct FlownSettings {
   Spoilt spoilt;
   std::string sensors = "camera";  ///< as FlownSensors has it
-  bool real_time = false;          ///< by the computer's clock; otherwise the clock waits for the node's setpoints
+  bool mavros = false;     ///< setpoints as MAVROS takes them, in offboard mode; otherwise MultiDOFJointTrajectory
+  bool real_time = false;  ///< by the computer's clock; otherwise the clock waits for the node's setpoints
 };
 
 class FlownWorld {
@@ -60,7 +63,10 @@ class FlownWorld {
   void publish_clock();
   void publish_pose();
   void publish_goal();
+  void publish_mode();
   void on_setpoint(const trajectory_msgs::MultiDOFJointTrajectory& message);
+  void on_target(const mavros_msgs::PositionTarget& message);
+  void take_setpoint(const tern_host::Setpoint& setpoint, const ros::Time& stamp);
   bool wait_for_setpoint();
   bool wait_for_clock();
   void move();
@@ -84,7 +90,7 @@ class FlownWorld {
   Outlet outlet_;
   FlownSensors sensors_;
   FlownDisplays displays_;
-  ros::Publisher clock_, odometry_, goal_, tf_;
+  ros::Publisher clock_, odometry_, goal_, tf_, mode_;
   ros::Subscriber setpoints_;
 };
 
