@@ -40,20 +40,24 @@ struct RowReader {
   BitRows rows;
   std::int32_t word;
   Voxel dims;
-  bool has_before;
-  bool has_after;
+  std::int32_t to_before;     ///< 1; 0 if the row has no word before
+  std::int32_t to_after;      ///< 1; 0 if the row has no word after
+  std::uint64_t past_before;  ///< what counts as blocked in the word before
+  std::uint64_t past_after;
 
   RowReader(const Grid& grid, std::int32_t column)
       : rows(GridAccess::blocked(grid)),
         word(column),
         dims(grid.spec().dims),
-        has_before(column > 0),
-        has_after(column + 1 < rows.row_words) {}
+        to_before(column > 0 ? 1 : 0),
+        to_after(column + 1 < rows.row_words ? 1 : 0),
+        past_before(to_before != 0 ? 0 : kAllBlocked),
+        past_after(to_after != 0 ? 0 : kAllBlocked) {}
 
   RowWords at(std::int32_t y, std::int32_t z) const {
     if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
     const std::uint64_t* own = rows.row(y, z) + word;
-    return {has_before ? own[-1] : kAllBlocked, own[0], has_after ? own[1] : kAllBlocked};
+    return {own[-to_before] | past_before, own[0], own[to_after] | past_after};
   }
 };
 
@@ -115,14 +119,20 @@ void compute_tile(const Grid& grid, std::int32_t column, std::int32_t third, std
   const std::int32_t first = word * kSide;
   const std::int32_t left = axis(grid.spec().dims, kAxis) - first;
   const std::int32_t steps = left < kSide ? left : kSide;
-  Slice before = slice_at<kAxis>(rows, first - 1, third);
-  Slice at = slice_at<kAxis>(rows, first, third);
-  for (std::int32_t k = 0; k < steps; ++k) {
-    const Slice after = slice_at<kAxis>(rows, first + k + 1, third);
-    up[k] = stops_between(before, at, after);
-    down[k] = stops_between(after, at, before);
+  Slice slices[3];
+  Slice* before = slices;
+  Slice* at = slices + 1;
+  Slice* after = slices + 2;
+  for (std::int32_t k = -2; k < steps; ++k) {  // the first two turns only read what the third needs
+    *after = slice_at<kAxis>(rows, first + k + 1, third);
+    if (k >= 0) {
+      up[k] = stops_between(*before, *at, *after);
+      down[k] = stops_between(*after, *at, *before);
+    }
+    Slice* const oldest = before;
     before = at;
     at = after;
+    after = oldest;
   }
   for (std::int32_t k = steps; k < kSide; ++k) up[k] = down[k] = kAllBlocked;
 }
@@ -131,10 +141,12 @@ void compute_tile(const Grid& grid, std::int32_t column, std::int32_t third, std
 void transpose(std::uint64_t (&tile)[kSide]) {
   std::uint64_t mask = 0x00000000FFFFFFFFu;
   for (std::int32_t half = kSide / 2; half > 0; half /= 2, mask ^= mask << half) {
-    for (std::int32_t k = 0; k < kSide; k = ((k | half) + 1) & ~half) {
-      const std::uint64_t swap = (tile[k] >> half ^ tile[k | half]) & mask;
-      tile[k] ^= swap << half;
-      tile[k | half] ^= swap;
+    for (std::int32_t first = 0; first < kSide; first += 2 * half) {
+      for (std::int32_t k = first; k < first + half; ++k) {
+        const std::uint64_t swap = (tile[k] >> half ^ tile[k + half]) & mask;
+        tile[k] ^= swap << half;
+        tile[k + half] ^= swap;
+      }
     }
   }
 }

@@ -37,7 +37,7 @@ struct JumpStopLayer {
 };
 
 /// A tile is made once jumps have walked this many steps through it, voxel by voxel. Making it costs as much as about
-/// 160 steps, so a tile that is jumped through only once or twice is never made.
+/// 140 steps, so a tile that is jumped through only once or twice is never made.
 constexpr std::uint8_t kWalkFirst = 64;
 
 /// Prepares the layer of an axis, with nothing made yet: clears one bit for each word or tile, and the steps walked.
