@@ -5,12 +5,11 @@
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "grid/distance.hpp"
+#include "planner/follow.hpp"
 
 namespace tern {
 namespace {
 
-/// A new plan replaces the remainder of the planner's plan in flight if it arrives earlier by more than this, seconds.
-constexpr double kEarlier = 1e-6;
 /// A new aim is chosen when less than this part of the horizon is left.
 constexpr double kLeastWay = 0.6;
 /// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels near the vehicle are solid.
@@ -131,7 +130,7 @@ bool Cycle::choose_draft(const FlightFacts& flight, bool planned, const Vec3& hi
   if (remainder_is_free) {
     const double remainder = duration(in_flight.planned) - in_flight.time_at(draft.takeover);
     const bool is_better =
-        planned && (!same(aim.place, in_flight.place) || duration(draft.plan.planned) < remainder - kEarlier);
+        planned && (!same(aim.place, in_flight.place) || arrives_earlier(duration(draft.plan.planned), remainder));
     if (!is_better || draft.passes_later(flight)) draft.extend(in_flight);
   }
   if (!draft.extends && !planned) return false;

@@ -14,9 +14,6 @@ void copy_plan(const Trajectory& plan, Trajectory& curve) {
   for (int i = 0; i < curve.count; ++i) curve.segments[i].polyhedron = kNoPolyhedron;
 }
 
-/// A new plan replaces the remainder if it arrives earlier by more than this, seconds.
-constexpr double kEarlierBy = 1e-6;
-
 }  // namespace
 
 bool follow_trial_is_due(const Previous& previous) noexcept {
@@ -59,8 +56,7 @@ void follow_note_trial(bool proven, const Problem& problem, const Previous& prev
 }
 
 bool prefers_remainder(const Follow& follow, const Trajectory& trajectory) noexcept {
-  if (!follow.proven) return false;
-  return !(duration(trajectory) < follow.proven_duration - kEarlierBy);
+  return follow.proven && !arrives_earlier(duration(trajectory), follow.proven_duration);
 }
 
 }  // namespace tern

@@ -48,6 +48,13 @@ Progress follow_advance(const RoomProof& room, Follow& follow, const Previous& p
 /// Notes the result of a trial: whether the check passed the remainder.
 void follow_note_trial(bool proven, const Problem& problem, const Previous& previous, Follow& follow) noexcept;
 
+/// True if a new plan arrives earlier than the remainder of the plan before it: by more than a microsecond, so that two
+/// plans that differ by rounding do not take turns. Both in seconds from the same instant on.
+inline bool arrives_earlier(double plan, double remainder) noexcept {
+  constexpr double kMargin = 1e-6;
+  return plan < remainder - kMargin;
+}
+
 /// True if the plan is to follow the remainder that was proven, because `trajectory`, a new plan, does not arrive
 /// earlier.
 bool prefers_remainder(const Follow& follow, const Trajectory& trajectory) noexcept;
