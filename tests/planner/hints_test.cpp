@@ -7,11 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
 #include "planner/end_stop.hpp"
+#include "support/random.hpp"
 #include "support/world.hpp"
 #include "world/fences.hpp"
 
@@ -94,6 +97,25 @@ TEST_F(BesideAPlate, AHalfHasAHintOfItsOwn) {
   const Vec3& normal = own(0).planes[0].normal;
   EXPECT_GT(hull_reach(normal, {curve_->segments[0].points, tern::kControlPoints}),
             solid_support(normal, solid_world().solid(0)));
+}
+
+/// Turns around the edges of both plates, tight and wide: hints are never more than eighths and plates.
+TEST_F(BesideAPlate, EachEighthHasOneHintForEachSolidAtMost) {
+  load(2);
+  Random random(5);
+  std::int32_t most = 0;
+  for (int i = 0; i < scaled(400); ++i) {
+    const double depth = random.real(1.0, 2.5);
+    for (int k = 0; k <= tern::kDegree; ++k) {
+      const double angle = 3.14159265 * k / tern::kDegree;
+      const double x = 5.0 - random.real(0.02, 0.7) * std::cos(angle);
+      curve_->segments[0].points[k] = {x, 2.8 - depth * std::sin(angle), 3.0 - depth * std::sin(angle)};
+    }
+    proven(solid_world());
+    ASSERT_LE(own(0).count, 2 * 8);
+    most = std::max(most, own(0).count);
+  }
+  EXPECT_GE(most, 2);
 }
 
 TEST_F(BesideAPlate, EachSegmentAndEachSolidHasItsHints) {

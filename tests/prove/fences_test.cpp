@@ -38,13 +38,14 @@ class ProveFences : public CheckWorld {
                     (c & 4) != 0 ? upper.z : lower.z};
     }
     return keep_out_cut_off(grid_, fences_->fence, fences_->count, index, tern::hints_of(box), {corners, 8, distance},
-                            stage_.hints.scratch);
+                            stage_.hints.scratch, work_);
   }
   /// From the room north of the wall, y >= 1.2.
   bool cut_off_in_the_north(int index = 0) {
     return cut_off_from({0.0, 1.2, 0.0}, {4.0, 2.0, 2.0}, 0.2 - grant().near, index);
   }
 
+  tern::Work work_;
   std::unique_ptr<tern::AskedWorld> fences_;
 };
 
@@ -88,8 +89,8 @@ TEST_F(ProveFences, ACornerCutsOffWhatNoEdgeDoes) {
   const tern::Fence box{planes, 6, tern::FenceKind::kKeepOut};
   // 2, 3 and 6 parts of 7 m to the corner: 0.7 m away, but only 0.67 m from the edge's line.
   const tern::Vec3 point{1.0 - 0.2, 1.0 - 0.3, 1.0 - 0.6};
-  EXPECT_TRUE(fence_clear(box, {{0.0, 0.0, 0.0}, 0.7 - 1e-12, 0.0}, &point, 1));
-  EXPECT_FALSE(fence_clear(box, {{0.0, 0.0, 0.0}, 0.7 + 1e-12, 0.0}, &point, 1));
+  EXPECT_TRUE(fence_clear(box, {{0.0, 0.0, 0.0}, 0.7 - 1e-12, 0.0}, &point, 1, work_));
+  EXPECT_FALSE(fence_clear(box, {{0.0, 0.0, 0.0}, 0.7 + 1e-12, 0.0}, &point, 1, work_));
 }
 
 TEST_F(ProveFences, ObliqueKeepOutBesideABox) {
@@ -193,8 +194,10 @@ TEST_F(ProveFences, HalfSpacesFarBeyondTheMapHoldAllOrNothing) {
   const tern::Vec3 point{3.0, 1.5, 1.0};
   for (const double far : {1e300, -1e300}) {
     const Halfspace plane{{1.0, 0.0, 0.0}, far};
-    EXPECT_EQ(fence_clear({&plane, 1, tern::FenceKind::kKeepIn}, {{0.0, 0.0, 0.0}, 0.2, 1e-9}, &point, 1), far > 0.0);
-    EXPECT_EQ(fence_clear({&plane, 1, tern::FenceKind::kKeepOut}, {{0.0, 0.0, 0.0}, 0.2, 1e-9}, &point, 1), far < 0.0);
+    EXPECT_EQ(fence_clear({&plane, 1, tern::FenceKind::kKeepIn}, {{0.0, 0.0, 0.0}, 0.2, 1e-9}, &point, 1, work_),
+              far > 0.0);
+    EXPECT_EQ(fence_clear({&plane, 1, tern::FenceKind::kKeepOut}, {{0.0, 0.0, 0.0}, 0.2, 1e-9}, &point, 1, work_),
+              far < 0.0);
   }
 }
 
@@ -206,8 +209,8 @@ TEST_F(ProveFences, KeepInsHoldToTheToleranceHoweverFarAway) {
     const tern::Vec3 in[] = {{0.5, 1.5, 1.0}, {3.0 + 1.5e-9, 1.5, 1.0}};   // 0.9e-9 m beyond
     const tern::Vec3 out[] = {{0.5, 1.5, 1.0}, {3.0 + 1.8e-9, 1.5, 1.0}};  // 1.08e-9 m beyond
     const tern::FenceRule rule{{away, 0.0, 0.0}, 0.2, tern::kCheckDistance};
-    EXPECT_TRUE(fence_clear(fence, rule, in, 2)) << away;
-    EXPECT_FALSE(fence_clear(fence, rule, out, 2)) << away;
+    EXPECT_TRUE(fence_clear(fence, rule, in, 2, work_)) << away;
+    EXPECT_FALSE(fence_clear(fence, rule, out, 2, work_)) << away;
     EXPECT_NEAR(tern::fence_excess(fence, rule, out[1]), 0.08e-9, 1e-14) << away;
   }
 }

@@ -102,7 +102,8 @@ bool proven_beyond(const tern::Grid& grid, const tern::AskedWorld& asked, const 
     square[k] = offset * normal + (k % 2 == 0 ? kWide : -kWide) * side + (k < 2 ? kWide : -kWide) * across;
   }
   const tern::Halfspace hint{normal, 0.0};
-  return keep_out_cut_off(grid, asked.fence, asked.count, 0, {&hint, 1}, {square, 4, distance}, scratch);
+  tern::Work work;
+  return keep_out_cut_off(grid, asked.fence, asked.count, 0, {&hint, 1}, {square, 4, distance}, scratch, work);
 }
 
 TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {

@@ -99,7 +99,8 @@
 #define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 48, 48, 48)
 #endif
 
-/// Geofences of one request. Beyond it: kFencesFull.
+/// Geofences of one request. Each takes 256 bytes for each segment, from memory that the stages share. Beyond it:
+/// kFencesFull.
 #ifndef TERN_MAX_FENCES
 #define TERN_MAX_FENCES TERN_DEFAULT(2, 4, 16, 16)
 #endif

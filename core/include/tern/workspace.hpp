@@ -45,6 +45,8 @@ constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
 constexpr size_t kTrajectory =
     kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
+/// The check: for each segment, normals along which keep-outs are cut off.
+constexpr size_t kCheck = kSegments * kMaxFences * 272 + kFencePlanes * 256 + 8192;
 /// The results, which outlive the stages that made them: the path and its current leg, vias, corridor, trajectory, the
 /// stops of both ends and the previous plan.
 constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegments * (kPlanes * 36 + 1248) + 6400;
@@ -57,10 +59,12 @@ constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegme
 #ifdef TERN_WORKSPACE_BYTES
 constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
-constexpr size_t kWorkspaceBytes = (workspace::larger(workspace::larger(workspace::kSearch, workspace::kReach),
-                                                      workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
-                                    workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
-                                   kWorkspaceAlignment * kWorkspaceAlignment;
+constexpr size_t kWorkspaceBytes =
+    (workspace::larger(
+         workspace::larger(workspace::kSearch, workspace::kReach),
+         workspace::larger(workspace::larger(workspace::kCorridor, workspace::kCheck), workspace::kTrajectory)) +
+     workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
+    kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 
 /// Memory of the right size. Make it static, or place it in a linker section or an arena: it is too large for a stack.

@@ -104,8 +104,7 @@ void Blockage::note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3
   const Vec3 place = reachable + (smaller(far, clearance) / far) * way;
   for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
     const Fence& next = flight.spec.fences[k];
-    work.spend(6 * ops::kDot * next.count * next.count);
-    if (fence_clear(next, {place, clearance, 0.0}, &kZero, 1)) continue;
+    if (fence_clear(next, {place, clearance, 0.0}, &kZero, 1, work)) continue;
     *this = {BlockedBy::kFence, place, k};
     return;
   }

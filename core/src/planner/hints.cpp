@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/hints.hpp"
 
-#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "corridor/solid_planes.hpp"
 #include "curve/bezier.hpp"
@@ -40,7 +39,7 @@ struct Widest {
 /// none. If no more is wanted, the part may graze an edge of the solid. Then the axes are tried, and what is at right
 /// angles to the part's direction and to an axis or an edge.
 Widest widest_normal(const Beside& beside, double wanted, double too_close, Work& work) {
-  work.spend(4 * kGapOperations);
+  work.spend(gap_operations(beside.hull.count + beside.solid.hull.count));
   const HullGap gap = solid_gap(beside.hull, beside.solid);
   Widest widest{beside, gap.normal, -1e300};
   widest.offer(gap.normal);
@@ -97,7 +96,7 @@ void add_hints(const Curve& segment, const ConvexSolid& solid, const World& worl
     if (has_room(beside, wanted, hints)) continue;
     const Widest widest = widest_normal(beside, wanted, too_close, work);
     if (widest.room >= wanted) {
-      if (!is_full(hints.count == kMaxPlanes)) hints.planes[hints.count++] = {widest.normal, 0.0};
+      hints.planes[hints.count++] = {widest.normal, 0.0};  // kMaxFenceHints at most
     } else if (part.halvings < kHintHalvings) {
       work.spend(2 * ops::kCurve);
       Part first = part;

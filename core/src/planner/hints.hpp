@@ -23,6 +23,9 @@ namespace tern {
 constexpr int kHintHalvings = 3;
 /// Parts of a segment that are looked at for one solid.
 constexpr int kHintParts = (2 << kHintHalvings) - 1;
+/// A part that gets a hint is not halved any further, so a segment and a solid have one hint for each part of the
+/// smallest size at most.
+static_assert(kMaxFenceHints >= (kMaxSolids << kHintHalvings), "there is room for all hints");
 /// Edges of a solid are tried among so many of its faces.
 constexpr int kHintFaces = 12;
 /// Normals that are tried for a part that its gap tells nothing about: along the axes and at right angles to them, and
@@ -33,13 +36,14 @@ constexpr int kHintNormals = 12 + kHintFaces * (kHintFaces - 1);
 constexpr std::uint32_t kHintBound = kMaxSegments * std::uint32_t{kMaxSolids};
 /// The most operations of one of them.
 constexpr Operations kHintOperations =
-    kHintParts * (4 * kGapOperations + 2 * ops::kCurve + ops::kDot * kControlPoints * kMaxSolidFaces +
-                  ops::kDot * (kHintNormals + kMaxPlanes) * Operations{kControlPoints + kMaxSolidCorners}) +
+    kHintParts * (gap_operations(kControlPoints + kMaxSolidCorners) + 2 * ops::kCurve +
+                  ops::kDot * kControlPoints * kMaxSolidFaces +
+                  ops::kDot * (kHintNormals + kMaxFenceHints) * Operations{kControlPoints + kMaxSolidCorners}) +
     2 * ops::kPiece + ops::kDot * kMaxPlanes * Operations{kMaxSolidCorners};
 
 /// Gives each segment the normals along which it keeps its clearance from the solids, as far as neither a solid's faces
-/// nor the segment's polyhedron tell. kDone, or kMore. A world without solids takes no work. Normals beyond kMaxPlanes
-/// a segment are left out. `corridor` may be null: then no segment has a polyhedron.
+/// nor the segment's polyhedron tell. kDone, or kMore. A world without solids takes no work. `corridor` may be null:
+/// then no segment has a polyhedron.
 Progress hints_advance(const World& world, const Corridor* corridor, const Trajectory& curve, PlanHints& hints,
                        Work& work) noexcept;
 

@@ -18,7 +18,7 @@ namespace tern {
 /// Half-spaces whose normals may cut obstacles off. Their offsets do not matter.
 struct Hints {
   const Halfspace* planes;
-  int count;  ///< 0 .. kMaxPlanes
+  int count;  ///< for cut_off(), at most kMaxPlanes
 };
 
 /// The hints that a polyhedron gives; none if its count is out of range.

@@ -11,8 +11,6 @@ namespace {
 /// Two planes have no edge, and three no corner, if the squared sine of their angle, or their squared volume, is no
 /// more than this.
 constexpr double kParallel = 1e-9;
-/// Corners are looked for if a keep-out has no more faces than this.
-constexpr int kCornerFaces = 12;
 
 /// True if all points lie beyond the plane by the distance. The normal may have any length.
 bool lies_beyond(const Halfspace& plane, double distance, const Vec3* points, int count) {
@@ -55,7 +53,8 @@ bool corner_plane(const Halfspace& a, const Halfspace& b, const Halfspace& c, co
   return true;
 }
 
-bool keeps_in(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) {
+bool keeps_in(const Fence& fence, const FenceRule& rule, const Vec3* points, int count, Work& work) {
+  work.spend(ops::kPiece + kFaceOperations * fence.count);
   for (int k = 0; k < fence.count; ++k) {
     const Halfspace plane = local_plane(fence.planes[k], rule.frame);
     for (int i = 0; i < count; ++i) {
@@ -77,7 +76,8 @@ struct Solidity {
   bool is_behind(const Halfspace& plane) const { return lies_beyond(plane, rule.distance, points, count); }
 };
 
-bool edge_cuts_off(const Solidity& solid) {
+bool edge_cuts_off(const Solidity& solid, Work& work) {
+  work.spend(kEdgeOperations * (solid.fence.count * (solid.fence.count - 1) / 2));
   Halfspace plane;
   for (int k = 0; k < solid.fence.count; ++k) {
     const Halfspace a = solid.face(k);
@@ -88,8 +88,10 @@ bool edge_cuts_off(const Solidity& solid) {
   return false;
 }
 
-bool corner_cuts_off(const Solidity& solid) {
-  if (solid.fence.count > kCornerFaces) return false;
+bool corner_cuts_off(const Solidity& solid, Work& work) {
+  const int count = solid.fence.count;
+  if (count > kCornerFaces) return false;
+  work.spend(kCornerOperations * (count * (count - 1) * (count - 2) / 6));
   Halfspace faces[kCornerFaces];
   Halfspace plane;
   for (int k = 0; k < solid.fence.count; ++k) {
@@ -103,12 +105,13 @@ bool corner_cuts_off(const Solidity& solid) {
   return false;
 }
 
-bool keeps_out(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) {
+bool keeps_out(const Fence& fence, const FenceRule& rule, const Vec3* points, int count, Work& work) {
+  work.spend(ops::kPiece + kFaceOperations * fence.count);
   for (int k = 0; k < fence.count; ++k) {
     if (lies_beyond(local_plane(fence.planes[k], rule.frame), rule.distance, points, count)) return true;
   }
   const Solidity solid{fence, rule, points, count, 0.5 * (points[0] + points[count - 1])};
-  return edge_cuts_off(solid) || corner_cuts_off(solid);
+  return edge_cuts_off(solid, work) || corner_cuts_off(solid, work);
 }
 
 /// Relative amount that is added to the box around a keep-out, and to the distance by which keep-ins grow. It exceeds
@@ -232,14 +235,9 @@ bool copy_asked(const Fence* list, std::int32_t count, AskedWorld& asked) noexce
   return true;
 }
 
-bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept {
-  if (fence.kind == FenceKind::kKeepIn) return keeps_in(fence, rule, points, count);
-  return keeps_out(fence, rule, points, count);
-}
-
-Operations fence_operations(const Fence& fence) noexcept {
-  const Operations edges = fence.kind == FenceKind::kKeepOut ? fence.count * (fence.count - 1) / 2 : 0;
-  return ops::kPiece + 16 * ops::kDot * (fence.count + edges);
+bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count, Work& work) noexcept {
+  if (fence.kind == FenceKind::kKeepIn) return keeps_in(fence, rule, points, count, work);
+  return keeps_out(fence, rule, points, count, work);
 }
 
 double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point) noexcept {
@@ -252,7 +250,8 @@ double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point
 }
 
 bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int index, const Hints& hints,
-                      const Apart& hull, FenceScratch& scratch) noexcept {
+                      const Apart& hull, FenceScratch& scratch, Work& work) noexcept {
+  work.spend(kKeepOutOperations);
   const Surroundings around = surroundings_of(grid);
   find_solid(grid, fences, count, index, around, scratch.exact);
   if (scratch.exact.empty) return true;
@@ -261,10 +260,12 @@ bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int inde
   // Doubles suffice for a fence without nearly parallel planes.
   for (int k = 0; k < normals.count(); ++k) {
     const Vec3 normal = normals.at(k);
+    work.spend(kQuickOperations);
     if (is_unit(normal) && lies_beyond(scratch.quick, rounded(asked_along(normal, hull, around.center)))) return true;
   }
   for (int k = 0; k < normals.count(); ++k) {
     const Vec3 normal = normals.at(k);
+    work.spend(kExactOperations);
     if (is_unit(normal) && lies_beyond(scratch.exact, asked_along(normal, hull, around.center))) return true;
   }
   return false;

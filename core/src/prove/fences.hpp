@@ -39,7 +39,7 @@ struct FenceRule {
 /// True only if the hull of the points lies in the keep-in, or a face, an edge or a corner of the keep-out cuts it off
 /// by the distance. For a keep-out, the answer may be false although the hull keeps the distance, but hardly ever if
 /// the points are close together.
-bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept;
+bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count, Work& work) noexcept;
 
 /// Metres by which a point breaks the rule: outside the keep-in, or too near to the keep-out, as far as its faces tell.
 double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point) noexcept;
@@ -50,10 +50,14 @@ struct FenceScratch {
   Solid<double> quick;  ///< the same, rounded
 };
 
+/// Normals that one segment may have as hints: one for each eighth of it and each fence. The planner's hints fit by
+/// their number (planner/hints.hpp), so none is ever left out.
+constexpr int kMaxFenceHints = 8 * kMaxFences;
+
 /// Normals along which keep-outs may be cut off from a segment. The offsets do not matter.
 struct FenceHints {
   std::int32_t count;
-  Halfspace planes[kMaxPlanes];
+  Halfspace planes[kMaxFenceHints];
 };
 
 /// The planner's hints for the proof of its plan, and memory to use them. The proof does not depend on them.
@@ -76,16 +80,27 @@ struct Apart {
 /// one of its own faces. The keep-out may have any shape, however thin or pointed. Only the part of it within the
 /// radius of the boundary and of all keep-ins counts.
 bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int index, const Hints& hints,
-                      const Apart& hull, FenceScratch& scratch) noexcept;
+                      const Apart& hull, FenceScratch& scratch, Work& work) noexcept;
 
-/// Operations of one call of fence_clear: each face, and each edge of a keep-out, against eight points.
-Operations fence_operations(const Fence& fence) noexcept;
-/// Operations of one call of keep_out_cut_off: the part may have a corner for each triple of planes.
-constexpr Operations kKeepOutOperations = 150 * ops::kPiece;
-/// Operations of both calls for kMaxFences fences: keep_out_cut_off may be called with the hints of both kinds.
+/// Corners are looked for if a keep-out has no more faces than this.
+constexpr int kCornerFaces = 12;
+/// Operations of fence_clear() for a face against eight points, for an edge, and for a corner: few planes that touch an
+/// edge or a corner leave the first point behind them.
+constexpr Operations kFaceOperations = 16 * ops::kDot;
+constexpr Operations kEdgeOperations = 5 * ops::kDot;
+constexpr Operations kCornerOperations = 12 * ops::kDot;
+/// Operations of keep_out_cut_off(): without normals, and for each normal in doubles and in twice their precision. A
+/// normal takes six pivots or so.
+constexpr Operations kKeepOutOperations = 60 * ops::kPiece;
+constexpr Operations kQuickOperations = 25 * ops::kPiece;
+constexpr Operations kExactOperations = 330 * ops::kPiece;
+/// The most operations of both for kMaxFences fences: keep_out_cut_off() may be called with the hints of both kinds.
 constexpr Operations kAskedOperations =
-    kMaxFences * (2 * kKeepOutOperations + ops::kPiece +
-                  16 * ops::kDot * (kMaxFencePlanes + Operations{kMaxFencePlanes} * kMaxFencePlanes / 2));
+    kMaxFences * (ops::kPiece + kFaceOperations * kMaxFencePlanes +
+                  kEdgeOperations * (Operations{kMaxFencePlanes} * kMaxFencePlanes / 2) +
+                  kCornerOperations * kCornerFaces * kCornerFaces * kCornerFaces / 6 +
+                  2 * (kKeepOutOperations +
+                       (kQuickOperations + kExactOperations) * (kMaxPlanes + kMaxFenceHints + kMaxFencePlanes)));
 
 }  // namespace tern
 

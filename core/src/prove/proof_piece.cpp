@@ -81,8 +81,7 @@ bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
 bool Proof::keeps_fences(const Piece& piece) noexcept {
   const FenceRule rule{grid_->spec().origin, distance_, outside_};
   for (int32_t k = 0; k < fence_count_; ++k) {
-    work_->spend(fence_operations(fences_[k]));
-    if (fence_clear(fences_[k], rule, piece.c, kControlPoints)) continue;
+    if (fence_clear(fences_[k], rule, piece.c, kControlPoints, *work_)) continue;
     if (is_cut_off(k, piece)) continue;
     report_.fence = k;
     return false;
@@ -90,17 +89,21 @@ bool Proof::keeps_fences(const Piece& piece) noexcept {
   return true;
 }
 
+/// Hints are for eighths of a segment at the smallest. Pieces much smaller than that are not tried: what no hint cuts
+/// off from the eighth around them is hardly ever cut off from them. A curve that meets a keep-out is halved down to
+/// such pieces before it is refused.
+constexpr int kHintedDepth = 5;
+
 /// True if the fence is a keep-out that is cut off along a hint. A whole segment is looked at even without hints.
 bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
   if (hints_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
   const Apart hull{piece.c, kControlPoints, distance_};
   const auto cuts_off = [&](const Hints& known) {
-    work_->spend(kKeepOutOperations);
-    return keep_out_cut_off(*grid_, fences_, fence_count_, fence, known, hull, hints_->scratch);
+    return keep_out_cut_off(*grid_, fences_, fence_count_, fence, known, hull, hints_->scratch, *work_);
   };
   const Hints of_corridor = hints();
   if ((piece.depth == 0 || of_corridor.count > 0) && cuts_off(of_corridor)) return true;
-  if (segment_ >= hints_->hinted) return false;
+  if (segment_ >= hints_->hinted || piece.depth > kHintedDepth) return false;
   const FenceHints& own = hints_->fences[segment_];
   return own.count > 0 && cuts_off({own.planes, own.count});
 }

@@ -34,9 +34,13 @@ double hull_reach(const Vec3& normal, const Hull& hull) noexcept;
 
 /// The widest gap, to within rounding. Computes at most kGapSteps supports of either hull.
 HullGap hull_gap(const Hull& first, const Hull& second) noexcept;
-/// Operations of a gap between hulls of eight points, in ten steps: each finds the extreme points of both, and tries
-/// all faces of a simplex.
-constexpr Operations kGapOperations = 10 * (2 * 8 + 24) * ops::kDot;
+/// Operations of a gap between hulls of so many points together, in ten steps: each finds the extreme points of both,
+/// and tries all faces of a simplex.
+constexpr Operations gap_operations(int points) noexcept {
+  return 10 * (points + 24) * ops::kDot;
+}
+/// Of hulls of eight points each.
+constexpr Operations kGapOperations = gap_operations(2 * 8);
 constexpr int kGapSteps = 48;
 
 /// The widest gap between a segment and a hull; equal ends are a point.
