@@ -58,7 +58,7 @@ def fly(*arguments, wrong="", path=None):
     environment = {**os.environ, "FAKE_WRONG": wrong, "FAKE_ARDUCOPTER": copter, "PYTHONDONTWRITEBYTECODE": "1",
                    "PATH": path or tools + ":" + os.environ["PATH"]}
     done = subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True, env=environment,
-                          cwd=folder, timeout=120, check=False)
+                          cwd=folder, timeout=280, check=False)
     expect("Traceback" not in done.stderr, done.stderr)
     return done.returncode, done.stdout + done.stderr
 
