@@ -172,8 +172,8 @@ def report(path, map_path):
     if map_path is not None:
         blocks, radius = read_map(map_path)
         least = clearance(flight, blocks)
-        lines.append(f"clearance  {least:.2f} m from the blocks to the vehicle's centre, {least - radius:.2f} m to its body, "
-                     + ("by the truth" if off else "by the estimate"))
+        lines.append(f"clearance  {least:.2f} m from the blocks to the vehicle's centre, {least - radius:.2f} m to its "
+                     f"body, by the {'truth' if off else 'estimate'}")
     return lines
 
 

@@ -99,7 +99,7 @@ def wait_for(what, seconds, condition, server, pause=0.2):
     while not condition():
         status = server.process.poll()
         if status is not None or time.monotonic() > end:
-            why = f"not within {seconds:.0f} s" if status is None else f"the simulator ended with status {status}"
+            why = f"not within {seconds:.0f} s" if status is None else f"it ended with status {status}"
             raise Failure(f"no {what}: {why}. The end of {server.log}:\n{tail(server.log)}")
         time.sleep(pause)
 

@@ -41,8 +41,8 @@ def circle(t):
 
 
 def px4_log(end=13.0):
-    """Offboard twice, from 1 to 2 s and from 3 to 12 s. The estimate is 0.3 m east of the plan, in the first flight 2 m,
-    the truth 0.1 m north of the estimate."""
+    """Offboard twice, from 1 to 2 s and from 3 to 12 s. The estimate is 0.3 m east of the plan, in the first flight
+    2 m, the truth 0.1 m north of the estimate."""
     records = []
     for k in range(int(100 * end)):
         t, us = 0.01 * k, 10000 * k
@@ -77,8 +77,8 @@ def ardupilot_log():
     return dataflash(ARDUPILOT, records)
 
 
-# The block begins 8 m north, and the vehicle is never further north than 5.1 m. It passes there at 2.5 s and 12.5 s, just
-# outside the flight: the least distance is at the flight's last sample.
+# The block begins 8 m north, and the vehicle is never further north than 5.1 m. It passes there at 2.5 s and 12.5 s,
+# just outside the flight: the least distance is at the flight's last sample.
 MAP = write("map.txt", b"boundary -9 -9 0 9 99 9\nradius 0.25 # of the body\nblock -9 8 0 9 9 5 120 120 120\n")
 PX4_LOG = write("px4.ulg", px4_log())
 flight = flight_report.flight_of_ulog(PX4_LOG)
@@ -111,7 +111,8 @@ near(max(found), 0.2, 1e-6, "largest error")
 near(max(flight_report.drifts(flight)), 0.4, 1e-6, "drift")
 near(flight_report.clearance(flight, blocks), 0.0, 0.0, "clearance within the block")
 test = flight_log.read_log(ARDUPILOT_LOG, ["TEST"])["TEST"][0]
-expect(test == {"TimeUS": 1, "a": 1.5, "b": 2.5, "c": -3.5, "d": 4.5, "Lat": 473977418 * 1e-7, "e": -3, "f": 7}, str(test))
+expect(test == {"TimeUS": 1, "a": 1.5, "b": 2.5, "c": -3.5, "d": 4.5, "Lat": 473977418 * 1e-7, "e": -3, "f": 7},
+       str(test))
 garbage = ardupilot_log().replace(b"\xa3\x95\xa1", b"?\xa3\x95\xffx\xa3\x95\xa1", 3)
 found = flight_report.errors(flight_report.flight_of_dataflash(write("garbage.BIN", garbage)))
 near(max(found), 0.2, 1e-6, "largest error among garbage")

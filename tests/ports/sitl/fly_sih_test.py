@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""fly_sih_test.py FLY_SIH FOLDER: port/px4/fly_sih with a stand-in for a tree of PX4 in FOLDER, and for the build tools:
+"""fly_sih_test.py FLY_SIH FOLDER: port/px4/fly_sih with a stand-in for a tree of PX4 in FOLDER and for the build tools:
 what it calls in what order, what it prints, and what it says when something is wrong."""
 import os
 import shutil
@@ -61,7 +61,7 @@ with open(os.path.join(folder, "built"), encoding="utf-8") as built:
     lines = built.read().splitlines()
 expect([line.split()[:2] for line in lines] == [["cmake", "-S"], ["cmake", "--build"], ["cmake", "--install"],
                                                 ["make", "px4_sitl_default"]], str(lines))
-expect(lines[3].endswith(f"EXTERNAL_MODULES_LOCATION={os.path.dirname(script)} {folder}/fly_sih/tern-install"), lines[3])
+expect(lines[3].endswith(f"LOCATION={os.path.dirname(script)} {folder}/fly_sih/tern-install"), lines[3])
 with open(os.path.join(build, "bin/calls"), encoding="utf-8") as called:
     calls = called.read().splitlines()
 world = os.path.join(os.path.dirname(script), "world.txt")
@@ -77,7 +77,7 @@ for arguments, wrong, text in (
         ((tree, "--map", "nowhere.txt"), "", "nowhere.txt: no such file"),
         ((tree,), "no build", "build PX4 failed. The end of"),
         ((tree,), "old build", "was configured without the module. Remove that folder"),
-        ((tree,), "ends", "the simulator ended with status 3"),
+        ((tree,), "ends", "it ended with status 3"),
         ((tree, "--parameter", "NO_SUCH=1"), "", "param set NO_SUCH 1 failed: ERROR [param]"),
         ((tree,), "refused", "the module said: ERROR [tern_offboard] no flight from here: start_occupied"),
         ((tree,), "no log", "PX4 wrote no log below")):

@@ -93,8 +93,8 @@ for arguments, wrong, text in (((folder,), "", "is no tree of ArduPilot: it has 
                                ((tree, "--goal", "north"), "", "write EAST,NORTH,UP"),
                                ((tree, "--map", "nowhere.txt"), "", "nowhere.txt: no such file"),
                                ((tree,), "no build", "configure Tern failed. The end of"),
-                               ((tree,), "ends", "the simulator ended with status 1. The end of"),
-                               ((tree, "--map", MAP, "--set", "color=1"), "", "no tern_companion: the simulator ended")):
+                               ((tree,), "ends", "it ended with status 1. The end of"),
+                               ((tree, "--map", MAP, "--set", "color=1"), "", "no tern_companion: it ended")):
     status, said = fly(*arguments, wrong=wrong)
     expect(status != 0 and text in said, f"{arguments} {wrong}: {status}, {said}")
 status, said = fly(tree, path=os.path.dirname(sys.executable) + "-nothing")
