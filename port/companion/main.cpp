@@ -51,6 +51,7 @@ class Program {
 
   int run() {
     say("listens");
+    say(phase_text(companion_.phase()));
     while (!companion_.outcome()) {
       wait();
       if (interrupted != 0) companion_.end();
