@@ -64,8 +64,23 @@ bool DurationProgramme::eval_grad_f(int n, const double* x, bool, double* gradie
   return true;
 }
 
+Local DurationProgramme::local_of(const double* x, int segment) const {
+  Local local{};
+  for (int e = 0; e < kEnds; ++e) {
+    const Vec3 u = end_value(x, segment, e);
+    for (int a = 0; a < 3; ++a) local[3 * e + a] = axis(u, a);
+  }
+  local[kTheta] = x[theta_variable(segment)];
+  return local;
+}
+
 bool DurationProgramme::eval_g(int, const double* x, bool, int m, double* g) {
-  for (int r = 0; r < m; ++r) {
+  const int linear = static_cast<int>(rows_.size());
+  for (int r = linear; r < m; ++r) {
+    const VehicleRow& row = vehicle_rows_[r - linear];
+    g[r] = vehicle_value(row, limits_, tau_, local_of(x, row.segment), nullptr);
+  }
+  for (int r = 0; r < linear; ++r) {
     const DurationRow& row = rows_[r];
     const double theta = x[theta_variable(row.segment)];
     g[r] = 0.0;
@@ -79,7 +94,21 @@ bool DurationProgramme::eval_g(int, const double* x, bool, int m, double* g) {
 
 /// Entries of given ends are zeros at theta's column.
 bool DurationProgramme::eval_jac_g(int, const double* x, bool, int m, int, int* rows, int* columns, double* values) {
-  for (int r = 0; r < m; ++r) {
+  const int linear = static_cast<int>(rows_.size());
+  for (int r = linear; r < m; ++r) {
+    const VehicleRow& row = vehicle_rows_[r - linear];
+    Local gradient{};
+    if (values != nullptr) vehicle_value(row, limits_, tau_, local_of(x, row.segment), &gradient);
+    for (int k = 0; k < kLocal; ++k) {
+      if (values != nullptr) {
+        values[r * kLocal + k] = given(row.segment, k) ? 0.0 : gradient[k];
+      } else {
+        rows[r * kLocal + k] = r;
+        columns[r * kLocal + k] = variable(row.segment, k);
+      }
+    }
+  }
+  for (int r = 0; r < linear; ++r) {
     const DurationRow& row = rows_[r];
     const int theta_at = theta_variable(row.segment);
     if (values == nullptr) {
@@ -138,12 +167,35 @@ void DurationProgramme::add_row_curvature(const double* x, const double* lambda,
   }
 }
 
+/// By differences of the gradients.
+void DurationProgramme::add_vehicle_curvature(const double* x, const double* lambda,
+                                              std::vector<double>& blocks) const {
+  constexpr double kStep = 1e-5;
+  for (std::size_t r = 0; r < vehicle_rows_.size(); ++r) {
+    const VehicleRow& row = vehicle_rows_[r];
+    const double multiplier = lambda[rows_.size() + r];
+    if (multiplier == 0.0) continue;
+    double* const block = &blocks[row.segment * kLocal * kLocal];
+    const Local middle = local_of(x, row.segment);
+    for (int k = 0; k < kLocal; ++k) {
+      const double step = kStep * std::max(1.0, std::fabs(middle[k]));
+      Local more = middle, less = middle, after{}, before{};
+      more[k] += step;
+      less[k] -= step;
+      vehicle_value(row, limits_, tau_, more, &after);
+      vehicle_value(row, limits_, tau_, less, &before);
+      for (int l = 0; l <= k; ++l) block[k * kLocal + l] += multiplier * (after[l] - before[l]) / (2.0 * step);
+    }
+  }
+}
+
 bool DurationProgramme::eval_h(int, const double* x, bool, double factor, int, const double* lambda, bool, int,
                                int* rows, int* columns, double* values) {
   std::vector<double> blocks(count_ * kLocal * kLocal, 0.0);
   if (values != nullptr) {
     add_cost_curvature(x, factor, blocks);
     add_row_curvature(x, lambda, blocks);
+    add_vehicle_curvature(x, lambda, blocks);
   }
   int at = 0;
   for (int i = 0; i < count_; ++i) {

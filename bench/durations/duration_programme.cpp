@@ -50,7 +50,11 @@ std::vector<tern::Halfspace> planes_of(const tern::Bounds& bounds, const Vec3& a
 
 DurationProgramme::DurationProgramme(const tern::Corridor& corridor, const tern::MotionLimits& limits,
                                      const tern::Trajectory& plan, double rate)
-    : count_(plan.count), tau_(tern::duration(plan) / plan.count), rate_(rate) {
+    : limits_(limits),
+      vehicle_rows_(vehicle_rows(limits, plan.count)),
+      count_(plan.count),
+      tau_(tern::duration(plan) / plan.count),
+      rate_(rate) {
   for (int i = 0; i < count_; ++i) {
     if (i == 0) continue;
     for (int j = 0; j < kJointOrder; ++j) {
@@ -116,7 +120,7 @@ int DurationProgramme::variable(int segment, int k) const {
 
 bool DurationProgramme::get_nlp_info(int& n, int& m, int& jacobian, int& hessian, IndexStyleEnum& style) {
   n = static_cast<int>(start_.size());
-  m = static_cast<int>(rows_.size());
+  m = static_cast<int>(rows_.size() + vehicle_rows_.size());
   jacobian = m * kLocal;
   hessian = count_ * kLocal * (kLocal + 1) / 2;
   style = C_STYLE;
@@ -129,7 +133,8 @@ bool DurationProgramme::get_bounds_info(int n, double* lower, double* upper, int
   std::fill(upper, upper + n, kInfinity);
   for (int i = 0; i < count_; ++i) lower[theta_variable(i)] = std::log(tern::kMinDuration / tau_);
   std::fill(row_lower, row_lower + m, -kInfinity);
-  for (int r = 0; r < m; ++r) row_upper[r] = rows_[r].bound;
+  const int linear = static_cast<int>(rows_.size());
+  for (int r = 0; r < m; ++r) row_upper[r] = r < linear ? rows_[r].bound : 0.0;
   return true;
 }
 
@@ -146,7 +151,8 @@ void DurationProgramme::finalize_solution(Ipopt::SolverReturn status, int, const
   cost_ = snap(x, nullptr) + rate_ * duration_;
   converged_ = status == Ipopt::SUCCESS || status == Ipopt::STOP_AT_ACCEPTABLE_POINT;
   keeps_rows_ = true;
-  for (int r = 0; r < m; ++r) keeps_rows_ = keeps_rows_ && g[r] <= rows_[r].bound + kRowTolerance;
+  const int linear = static_cast<int>(rows_.size());
+  for (int r = 0; r < m; ++r) keeps_rows_ = keeps_rows_ && g[r] <= (r < linear ? rows_[r].bound : 0.0) + kRowTolerance;
 }
 
 }  // namespace tern_bench

@@ -14,6 +14,7 @@
 
 #include "base/bounds.hpp"
 #include "curve/hermite.hpp"
+#include "durations/vehicle_rows.hpp"
 #include "tern/corridor.hpp"
 #include "tern/trajectory.hpp"
 
@@ -39,8 +40,9 @@ struct DurationRow {
   double bound;
 };
 
-/// Minimises  snap / rate + duration.  Variables: the states of the interior joints (12 each, position, then
-/// derivatives times the unit of time to their order), then theta of each segment, in units of `tau`.
+/// Minimises  snap / rate + duration  over linear rows and the vehicle's own limits.  Variables: the states of the
+/// interior joints (12 each, position, then derivatives times the unit of time to their order), then theta of each
+/// segment, in units of `tau`.
 class DurationProgramme : public Ipopt::TNLP {
  public:
   /// `corridor`: relative to the plan's origin. The plan is the start of the search, and has the segments.
@@ -79,6 +81,11 @@ class DurationProgramme : public Ipopt::TNLP {
   void add_row_curvature(const double* x, const double* lambda, std::vector<double>& blocks) const;
   void add_rows(int segment, int order, const double* weights, const std::vector<tern::Halfspace>& planes, double unit);
 
+  Local local_of(const double* x, int segment) const;
+  void add_vehicle_curvature(const double* x, const double* lambda, std::vector<double>& blocks) const;
+
+  tern::MotionLimits limits_;
+  std::vector<VehicleRow> vehicle_rows_;  ///< after rows_
   int count_;
   double tau_;
   double rate_;

@@ -52,13 +52,19 @@ double cost_of(const tern::Trajectory& plan, double rate) {
 
 class Reference {
  public:
-  Reference() : ipopt_(IpoptApplicationFactory()) {
+  /// `near`: the search stays near the plan that it begins at.
+  Reference(int iterations, bool near) : ipopt_(IpoptApplicationFactory()) {
     ipopt_->Options()->SetIntegerValue("print_level", 0);
     ipopt_->Options()->SetStringValue("sb", "yes");
-    ipopt_->Options()->SetIntegerValue("max_iter", 120);
+    ipopt_->Options()->SetIntegerValue("max_iter", iterations);
     ipopt_->Options()->SetNumericValue("tol", 1e-6);
     ipopt_->Options()->SetNumericValue("acceptable_tol", 1e-4);
-    ipopt_->Options()->SetStringValue("mu_strategy", "adaptive");
+    ipopt_->Options()->SetStringValue("mu_strategy", near ? "monotone" : "adaptive");
+    if (near) {
+      ipopt_->Options()->SetNumericValue("mu_init", 0.1);
+      ipopt_->Options()->SetNumericValue("bound_push", 1e-6);
+      ipopt_->Options()->SetNumericValue("slack_bound_push", 1e-6);
+    }
     ipopt_->Initialize();
   }
 
@@ -123,8 +129,14 @@ int main(int argc, char** argv) {
   std::vector<std::string> files;
   std::vector<double> weights{40, 200, 1000};
   std::string csv_path;
+  int iterations = 120;
+  bool no_least = false;
+  bool near = false;
   app.add_option("FILE", files, "Scenarios")->required()->check(CLI::ExistingFile);
   app.add_option("--weights", weights, "Time weights");
+  app.add_option("--iterations", iterations, "The most iterations of IPOPT for each plan");
+  app.add_flag("--no-least", no_least, "Do not look for the least duration");
+  app.add_flag("--near", near, "Stay near the plan, which finds better ones with limits of thrust, tilt and rates");
   app.add_option("--csv", csv_path, "Write a row for each plan");
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
@@ -132,13 +144,14 @@ int main(int argc, char** argv) {
   csv.precision(9);
   csv << "case,time_weight,duration_s,cost,best_duration_s,best_cost,least_duration_s\n";
   tern_host::Session session;
-  Reference reference;
+  Reference reference(iterations, near);
   std::vector<Ratios> ratios(weights.size());
   for (const std::string& file : files) {
     Given given;
     const std::vector<tern::Trajectory> plans = plans_of(session, file, weights, given);
     if (plans.empty()) continue;
-    const double least = reference.solve(given, plans, plans.size() - 1, kLeastTime).seconds;
+    const double least =
+        no_least ? tern::duration(plans.back()) : reference.solve(given, plans, plans.size() - 1, kLeastTime).seconds;
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const Best best = reference.solve(given, plans, i, weights[i]);
       const double cost = cost_of(plans[i], weights[i] * given.unit);
@@ -147,7 +160,7 @@ int main(int argc, char** argv) {
       ratios[i].duration.push_back(seconds / best.seconds);
       ratios[i].least.push_back(seconds / least);
       csv << file << ',' << weights[i] << ',' << seconds << ',' << cost << ',' << best.seconds << ',' << best.cost
-          << ',' << least << '\n';
+          << ',' << least << std::endl;
     }
   }
   for (std::size_t i = 0; i < weights.size(); ++i) ratios[i].print(weights[i]);

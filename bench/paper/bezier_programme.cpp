@@ -29,7 +29,7 @@ tern::Status BezierProgramme::solve(const tern::Corridor& corridor, const std::v
   // Limits that no flight reaches: the corridor's rows alone can be active.
   constexpr double kFree = tern::kMaxLimit;
   const tern::Limits limits{{kFree, kFree, kFree}, {kFree, kFree, kFree}};
-  tern::assemble(chain, corridor, limits, *problem_, scale);
+  tern::assemble(chain, corridor, limits, nullptr, *problem_, scale);
   tern::qp_begin(*solver_, *problem_, nullptr, 0);
   tern::Work work{0xFFFFFFFFu};
   const tern::Status status = tern::qp_advance(*solver_, *problem_, work, *solution_);

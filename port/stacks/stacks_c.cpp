@@ -29,6 +29,10 @@ Status limits_of(const tern_ardupilot_parameters& parameters, tern_limits& limit
   return tern::limits_from_ardupilot(parameters, limits, field);
 }
 
+Status limits_of(const tern_crazyflie_parameters& parameters, tern_limits& limits, tern::Field* field) {
+  return tern::limits_from_crazyflie(parameters, limits, field);
+}
+
 template <typename Parameters>
 std::uint8_t limits_from(const Parameters* parameters, tern_limits* limits, std::uint8_t* field) {
   if (parameters == nullptr || limits == nullptr) return kInvalid;
@@ -95,11 +99,20 @@ void tern_ardupilot_defaults(tern_ardupilot_parameters* parameters) {
   if (parameters != nullptr) *parameters = tern::ardupilot_limits();
 }
 
+void tern_crazyflie_defaults(tern_crazyflie_parameters* parameters) {
+  if (parameters != nullptr) *parameters = tern::crazyflie_limits();
+}
+
 std::uint8_t tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits, std::uint8_t* field) {
   return limits_from(parameters, limits, field);
 }
 
 std::uint8_t tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits,
+                                        std::uint8_t* field) {
+  return limits_from(parameters, limits, field);
+}
+
+std::uint8_t tern_limits_from_crazyflie(const tern_crazyflie_parameters* parameters, tern_limits* limits,
                                         std::uint8_t* field) {
   return limits_from(parameters, limits, field);
 }

@@ -41,6 +41,8 @@ struct Ask {
 };
 
 void make_request(Rng& rng, Family family, const World& world, const Map& map, Ask& ask);
+/// Shrinks acceleration and jerk of start and goal until they keep the limits of thrust, tilt and body rates.
+void calm_vehicle(tern::Request& request);
 /// The same from via to via: `mission` gets points, tolerances, stops and velocities of its own. The fences stay those
 /// of `ask`, which must outlive it.
 void make_mission(Rng& rng, const World& world, const Map& map, const Ask& ask, Ask& mission);

@@ -63,6 +63,8 @@ void print_ask(const World& world, const Ask& ask) {
   std::printf("  v_horizontal %.17g a_horizontal %.17g j_horizontal %.17g weight %.17g budget %u %u %u %u\n",
               r.limits.v_horizontal, r.limits.a_horizontal, r.limits.j_horizontal, r.time_weight, r.budget.search,
               r.budget.shortcut, r.budget.corridor, r.budget.trajectory);
+  std::printf("  thrust_max %.17g thrust_min %.17g tilt_tangent %.17g rate_max %.17g\n", r.limits.thrust_max,
+              r.limits.thrust_min, r.limits.tilt_tangent, r.limits.rate_max);
   for (const tern::Via& via : ask.vias) {
     line("via", via.position);
     std::printf("    tolerance %.17g%s dwell %.17g\n", via.tolerance, via.stop ? " stop" : "", via.dwell);

@@ -134,6 +134,7 @@ void check_plan(Rng& rng, const World& world, const tern::Request& request, cons
   check_boundary(world, trajectory, findings);
   check_fences(world, request, trajectory, findings);
   check_limits(request, trajectory, findings);
+  check_vehicle(request, trajectory, findings);
   check_joints(trajectory, findings);
   check_ends(world, request, trajectory, entered, findings);
   check_evaluate(rng, world, trajectory, 6, findings);

@@ -45,6 +45,11 @@ void check_boundary(const World& world, const tern::Trajectory& trajectory, Find
 void check_fences(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
                   Findings& findings);
 void check_limits(const tern::Request& request, const tern::Trajectory& trajectory, Findings& findings);
+/// Thrust, tilt and body rates.
+void check_vehicle(const tern::Request& request, const tern::Trajectory& trajectory, Findings& findings);
+/// True if the acceleration keeps the limits of thrust and tilt, and if the jerk there keeps that of body rates.
+bool keeps_vehicle(const tern::Limits& limits, const Point& acceleration, Real excess, Real rounding);
+bool turns_slowly(const tern::Limits& limits, const Point& acceleration, const Point& jerk);
 void check_joints(const tern::Trajectory& trajectory, Findings& findings);
 /// `entered`: when the plan enters the trajectory, seconds since its beginning.
 void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory, double entered,

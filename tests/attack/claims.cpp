@@ -113,6 +113,7 @@ bool has_room_to_stop(const World& world, const Ask& ask) {
   const Real speed = length(v);
   if (!world.empty() || !ask.fences.empty() || !ask.vias.empty() || largest(point(start.acceleration)) > 0)
     return false;
+  if (l.thrust_max > 0.0 || l.thrust_min > 0.0 || l.tilt_tangent > 0.0 || l.rate_max > 0.0) return false;
   if (largest(point(l.j_max)) > 0 || l.j_horizontal > 0.0 || largest(point(start.jerk)) > 0) return false;
   if (largest(point(ask.request.goal.velocity)) > 0 || largest(point(ask.request.goal.acceleration)) > 0) return false;
   if (speed <= 0) return true;

@@ -150,6 +150,7 @@ void attack_flat(Context& context, Rng& own) {
   make_request(own, context.family, thin, map, ask);
   level(own, thin, ask.request.start);
   level(own, thin, ask.request.goal);
+  calm_vehicle(ask.request);
   tern::Planner planner(&context.bench.kept_memory, sizeof(tern::Workspace));
   const Status status = ask_once(flat, planner, thin, map, ask, "flat");
   if (own.chance(0.1)) compare_slices(flat, thin, ask, status);

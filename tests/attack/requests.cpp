@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "attack/asking.hpp"
+#include "attack/checker.hpp"
 #include "attack/clearance.hpp"
+#include "tern/flatness.hpp"
 
 namespace tern_attack {
 namespace {
@@ -177,7 +179,29 @@ void limit_jerk(Rng& rng, tern::Request& request) {
   }
 }
 
+/// Limits of a vehicle.
+void limit_vehicle(Rng& rng, tern::Request& request) {
+  tern::Limits& limits = request.limits;
+  if (rng.chance(0.7)) limits.thrust_max = tern::kGravity * rng.real(1.02, 8.0);
+  if (rng.chance(0.7)) limits.thrust_min = tern::kGravity * rng.real(0.01, 0.98);
+  if (rng.chance(0.7)) limits.tilt_tangent = rng.spread(0.02, 20.0);
+  if (limits.thrust_min > 0.0 && rng.chance(0.7)) limits.rate_max = rng.spread(0.05, 50.0);
+  calm_vehicle(request);
+}
+
 }  // namespace
+
+void calm_vehicle(tern::Request& request) {
+  const tern::Limits& limits = request.limits;
+  for (tern::State* state : {&request.start, &request.goal}) {
+    for (int k = 0; k < 60 && !keeps_vehicle(limits, point(state->acceleration), 0, 0); ++k) {
+      for (int a = 0; a < 3; ++a) axis(state->acceleration, a) *= 0.5;
+    }
+    for (int k = 0; k < 60 && !turns_slowly(limits, point(state->acceleration), point(state->jerk)); ++k) {
+      for (int a = 0; a < 3; ++a) axis(state->jerk, a) *= 0.5;
+    }
+  }
+}
 
 void make_request(Rng& rng, Family family, const World& world, const Map& map, Ask& ask) {
   tern::Request& r = ask.request;
@@ -193,6 +217,7 @@ void make_request(Rng& rng, Family family, const World& world, const Map& map, A
   if (family == Family::kFences) make_fences(rng, world, ask);
   Rng own = side_stream(rng);
   if (own.chance(0.2)) limit_jerk(own, r);
+  if (own.chance(0.25)) limit_vehicle(own, r);
 }
 
 void make_mission(Rng& rng, const World& world, const Map& map, const Ask& ask, Ask& mission) {

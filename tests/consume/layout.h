@@ -26,6 +26,8 @@
   FIELD(tern_grid_spec, boundary) FIELD(tern_grid_spec, radius)                                                      \
   FIELD(tern_state, position) FIELD(tern_state, velocity) FIELD(tern_state, acceleration)                            \
   FIELD(tern_state, jerk) FIELD(tern_limits, j_max) FIELD(tern_limits, j_horizontal)                                 \
+  FIELD(tern_limits, thrust_max) FIELD(tern_limits, thrust_min) FIELD(tern_limits, tilt_tangent)                     \
+  FIELD(tern_limits, rate_max)                                                                                       \
   FIELD(tern_limits, v_max) FIELD(tern_limits, a_max) FIELD(tern_limits, v_min) FIELD(tern_limits, a_min)            \
   FIELD(tern_limits, v_horizontal) FIELD(tern_limits, a_horizontal)                                                  \
   FIELD(tern_budget, search) FIELD(tern_budget, shortcut) FIELD(tern_budget, corridor)                               \
@@ -112,7 +114,16 @@
   FIELD(tern_px4_parameters, mpc_jerk_auto) FIELD(tern_ardupilot_parameters, wpnav_speed_m_s)                        \
   FIELD(tern_ardupilot_parameters, wpnav_speed_up_m_s) FIELD(tern_ardupilot_parameters, wpnav_speed_dn_m_s)          \
   FIELD(tern_ardupilot_parameters, wpnav_accel_m_s2) FIELD(tern_ardupilot_parameters, wpnav_accel_z_m_s2)            \
-  FIELD(tern_ardupilot_parameters, psc_jerk_xy_m_s3) FIELD(tern_ardupilot_parameters, psc_jerk_z_m_s3)
+  FIELD(tern_ardupilot_parameters, psc_jerk_xy_m_s3) FIELD(tern_ardupilot_parameters, psc_jerk_z_m_s3)               \
+  FIELD(tern_px4_parameters, mpc_tiltmax_air) FIELD(tern_px4_parameters, mpc_thr_hover)                              \
+  FIELD(tern_px4_parameters, mpc_thr_min) FIELD(tern_px4_parameters, mpc_thr_max)                                    \
+  FIELD(tern_px4_parameters, mc_rollrate_max) FIELD(tern_px4_parameters, mc_pitchrate_max)                           \
+  FIELD(tern_ardupilot_parameters, angle_max_deg) FIELD(tern_ardupilot_parameters, mot_thst_hover)                   \
+  FIELD(tern_ardupilot_parameters, atc_rate_r_max_deg) FIELD(tern_ardupilot_parameters, atc_rate_p_max_deg)          \
+  FIELD(tern_crazyflie_parameters, x_vel_max) FIELD(tern_crazyflie_parameters, y_vel_max)                            \
+  FIELD(tern_crazyflie_parameters, z_vel_max) FIELD(tern_crazyflie_parameters, r_limit)                              \
+  FIELD(tern_crazyflie_parameters, p_limit) FIELD(tern_crazyflie_parameters, thrust_base)                            \
+  FIELD(tern_crazyflie_parameters, thrust_min)
 
 #define TERN_LAYOUT_MAP(FIELD)                                                                                       \
   FIELD(tern_map_spec, origin) FIELD(tern_map_spec, cell) FIELD(tern_map_spec, dims) FIELD(tern_map_spec, radius)    \

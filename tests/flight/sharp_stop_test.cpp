@@ -10,6 +10,7 @@
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "support/random.hpp"
+#include "support/vehicle_limits.hpp"
 
 namespace {
 
@@ -87,6 +88,26 @@ TEST(FlightSharpStop, IsNoLongerThanAnyOther) {
     EXPECT_GT(made, tern_test::scaled(1000) / 2) << jerk;
     EXPECT_GT(shorter, tern_test::scaled(1000) / 2) << jerk;
   }
+}
+
+TEST(FlightSharpStop, KeepsTheVehiclesLimits) {
+  Random random(8);
+  int made = 0;
+  const int cases = tern_test::scaled(400);
+  for (int k = 0; k < cases; ++k) {
+    const Limits limits = tern_test::random_vehicle(random);
+    const JointState from{{kZero, random_vector(random, 0.5 * limits.v_max.x), random_vector(random, 1.0), kZero}};
+    if (tern_test::vehicle_use(limits, from.d[2], from.d[3]) > 1.0) continue;
+    Trajectory brake{};
+    if (!append_sharp_stop(from, limits, brake)) continue;
+    ++made;
+    for (double t = 0.0; t < duration(brake); t += 0.005) {
+      const Sample s = evaluate(brake, t);
+      ASSERT_LE(tern_test::vehicle_use(limits, s.acceleration, s.jerk), 1.0 + 1e-6) << k << " at " << t;
+    }
+    expect_joined(brake, from);
+  }
+  EXPECT_GT(made, cases / 3);
 }
 
 /// At its limit of speed, which still rises while the jerk falls: 0.05 s would exceed it.

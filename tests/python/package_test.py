@@ -211,6 +211,8 @@ class Exports(unittest.TestCase):
         with self.assertRaisesRegex(tern.TernError, "limits_invalid.*v_horizontal"):
             tern.Limits.from_ardupilot(wpnav_speed_m_s=500.0)
         self.assertEqual(tern.Limits.from_ardupilot().j_horizontal, 0.9 * 5.0)
+        self.assertAlmostEqual(tern.Limits.from_px4().thrust_max, 2.0 * 9.80665)
+        self.assertLess(tern.Limits.from_crazyflie(thrust_base=48000).thrust_max, 1.4 * 9.80665)
         with self.assertRaises(AttributeError):
             tern.Limits.from_px4(mpc_typo=5.0)
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kKilobyte = 1024;
 
 static_assert(sizeof(tern::QpSolver) <= 256 * kKilobyte, "the solver's working memory");
-static_assert(sizeof(tern::QpProblem) <= 104 * kKilobyte, "the programme, a caller's");
+static_assert(sizeof(tern::QpProblem) <= 106 * kKilobyte, "the programme, a caller's");
 static_assert(sizeof(tern::QpSolution) <= 4 * kKilobyte, "the answer, a caller's");
 
 TEST(QpMemory, WhatIsNotTheFactorGrowsWithSegmentsAlone) {

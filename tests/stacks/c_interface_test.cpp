@@ -59,6 +59,7 @@ TEST(ExportC, NullPointersHaveAnswers) {
   EXPECT_EQ(tern_crazyflie_decompressed(nullptr, 100, nullptr, &read), kInvalid);
   EXPECT_EQ(tern_crazyflie_decompressed(bytes, 100, nullptr, nullptr), kInvalid);
   tern_px4_defaults(nullptr);
+  tern_crazyflie_defaults(nullptr);
   tern_ardupilot_defaults(nullptr);
   EXPECT_EQ(tern_limits_from_px4(nullptr, nullptr, nullptr), kInvalid);
   EXPECT_EQ(tern_limits_from_ardupilot(nullptr, nullptr, nullptr), kInvalid);
@@ -112,6 +113,12 @@ TEST(ExportC, ParametersBecomeLimits) {
   EXPECT_EQ(tern_limits_from_ardupilot(&ardupilot, nullptr, nullptr), kInvalid);
   ASSERT_EQ(tern_limits_from_ardupilot(&ardupilot, &limits, nullptr), 0);
   EXPECT_EQ(limits.a_max.x, 2.5);
+  tern_crazyflie_parameters crazyflie{};
+  tern_crazyflie_defaults(&crazyflie);
+  EXPECT_EQ(tern_limits_from_crazyflie(&crazyflie, nullptr, nullptr), kInvalid);
+  tern_limits of_crazyflie{};
+  ASSERT_EQ(tern_limits_from_crazyflie(&crazyflie, &of_crazyflie, nullptr), 0);
+  EXPECT_EQ(of_crazyflie.v_max.z, 1.0);
   ardupilot.wpnav_speed_m_s = 1000.0;
   EXPECT_STREQ(tern_status_name(tern_limits_from_ardupilot(&ardupilot, &limits, &field)), "limits_invalid");
   EXPECT_STREQ(tern_field_name(field), "v_horizontal");

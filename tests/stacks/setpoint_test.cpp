@@ -8,8 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <tuple>
-#include <vector>
 
 #include "support/yaw_case.hpp"
 #include "tern_stacks/stacks.hpp"
@@ -218,67 +216,6 @@ TEST(ExportMavlink, WhatIsNotANumberIsMaskedAndWhatIsInfiniteRefused) {
   part = whole;
   part.position[0] = HUGE_VALF;  // finite numbers after it do not mend that
   EXPECT_EQ(mavlink_setpoint(part, {255, 190, 1, 1, 0, 0}, frame), 0);
-}
-
-TEST(ExportLimits, AreBelowTheParameters) {
-  Limits px4{};
-  Field field = Field::kVias;
-  ASSERT_EQ(limits_from_px4(px4_limits(), px4, &field), Status::kOk);
-  EXPECT_EQ(field, Field::kNone);
-  EXPECT_EQ(px4.v_max.z, kPx4SpeedShare * 3.0);
-  EXPECT_EQ(px4.v_min.z, -(kPx4SpeedShare * 1.5));
-  EXPECT_EQ(px4.v_horizontal, kPx4SpeedShare * 12.0);
-  EXPECT_EQ(px4.a_min.z, -3.0);
-  EXPECT_EQ(px4.a_max.z, 4.0);
-  EXPECT_EQ(px4.j_horizontal, 4.0);
-  Limits ardupilot{};
-  ASSERT_EQ(limits_from_ardupilot(ardupilot_limits(), ardupilot), Status::kOk);
-  EXPECT_EQ(ardupilot.v_horizontal, 10.0);
-  EXPECT_EQ(ardupilot.v_min.z, -1.5);
-  EXPECT_EQ(ardupilot.a_max.z, 1.0);
-  EXPECT_EQ(ardupilot.j_max.z, kArdupilotJerkShare * 5.0);
-  EXPECT_LT(ardupilot.j_horizontal, 5.0);
-}
-
-/// Nonsense and the least of each parameter in centimetres; the field names the limit, and the limits stay.
-template <typename Parameters>
-void expect_refusals(Status (*convert)(const Parameters&, Limits&, Field*), const Parameters& good,
-                     const std::vector<std::tuple<double Parameters::*, double, Field>>& cases) {
-  for (const auto& [parameter, other_unit, expected] : cases) {
-    for (const double value : {other_unit, 0.0, -1.0, 1e-9, 1e9, std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-      Parameters bad = good;
-      bad.*parameter = value;
-      Limits limits{};
-      limits.v_horizontal = 7.0;
-      Field field = Field::kNone;
-      const Status status = convert(bad, limits, &field);
-      EXPECT_EQ(status, std::isfinite(value) ? Status::kLimitsInvalid : Status::kNonFiniteInput) << value;
-      EXPECT_EQ(field, expected) << value;
-      EXPECT_EQ(limits.v_horizontal, 7.0);
-      EXPECT_EQ(convert(bad, limits, nullptr), status);
-    }
-  }
-}
-
-TEST(ExportLimits, RefuseNonsenseAndCentimetres) {
-  using A = ArdupilotLimits;
-  expect_refusals<A>(limits_from_ardupilot, ardupilot_limits(),
-                     {{&A::wpnav_speed_m_s, 20.5, Field::kVHorizontal},
-                      {&A::wpnav_speed_up_m_s, 10.5, Field::kVMax},
-                      {&A::wpnav_speed_dn_m_s, 10.0, Field::kVMin},
-                      {&A::wpnav_accel_m_s2, 50.0, Field::kAHorizontal},
-                      {&A::wpnav_accel_z_m_s2, 50.0, Field::kAMax},
-                      {&A::psc_jerk_xy_m_s3, 100.0, Field::kJHorizontal},
-                      {&A::psc_jerk_z_m_s3, 500.0, Field::kJMax}});
-  using P = Px4Limits;
-  expect_refusals<P>(limits_from_px4, px4_limits(),
-                     {{&P::mpc_xy_vel_max, 50.0, Field::kVHorizontal},
-                      {&P::mpc_z_vel_max_up, 50.0, Field::kVMax},
-                      {&P::mpc_z_vel_max_dn, 50.0, Field::kVMin},
-                      {&P::mpc_acc_hor, 200.0, Field::kAHorizontal},
-                      {&P::mpc_acc_up_max, 200.0, Field::kAMax},
-                      {&P::mpc_acc_down_max, 200.0, Field::kAMin},
-                      {&P::mpc_jerk_auto, 100.0, Field::kJMax}});
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Case {
     const State goal{corridor.polyhedra[polyhedra - 1].to, {0.1, 0.2, 0.0}, {0.0, -0.1, 0.2}};
     tern_test::make_chain(corridor, start, goal, limits, chain);
     for (int i = 0; i < chain.count; ++i) chain.duration[i] *= random.real(0.5, 2.0);
-    assemble(chain, corridor, limits, problem, scale);
+    assemble(chain, corridor, limits, nullptr, problem, scale);
     draw(random);
   }
   void draw(tern_test::Random& random) {
@@ -183,7 +183,7 @@ TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurations) {
   const auto other = std::make_unique<QpProblem>();
   const auto scale = std::make_unique<ProgrammeScale>();
   for (int i = 0; i < c->chain.count; ++i) c->chain.duration[i] *= random.real(0.5, 2.0);
-  assemble(c->chain, c->corridor, c->limits, *other, *scale);
+  assemble(c->chain, c->corridor, c->limits, nullptr, *other, *scale);
   ASSERT_EQ(other->point_count, c->problem.point_count);
   ASSERT_EQ(other->plane_count, c->problem.plane_count);
   for (int i = 0; i < other->point_count; ++i) {

@@ -32,7 +32,7 @@ class TimePrices : public testing::Test {
   /// The least snap at the chain's durations; negative where there is none.
   double solve() {
     Memory& m = *memory_;
-    assemble(m.chain, m.corridor, limits_, m.problem, m.scale);
+    assemble(m.chain, m.corridor, limits_, nullptr, m.problem, m.scale);
     qp_begin(m.solver, m.problem, nullptr, 0);
     Work work{0xFFFFFFFFu};
     if (qp_advance(m.solver, m.problem, work, m.solution) != Status::kOk) return -1.0;

@@ -177,6 +177,7 @@ TEST(FlightLog, TheWorldIsCompared) {
   EXPECT_EQ(differs(world + "via 5 3 1\n"), "points of the mission");
   EXPECT_EQ(differs(world + "body_radius 0.3\n"), "body_radius");
   EXPECT_EQ(differs(world + "pose_margin 0.1\n"), "pose_margin");
+  EXPECT_EQ(differs(world + "tilt_tangent 0.5\n"), "tilt_tangent");
   EXPECT_EQ(differs(world + "tracking quadrotor\n"), "tracking");
   EXPECT_EQ(comparison(world + "body_radius 0.3\nseed 4\n", {"body_radius=0.25", "window=20,20,8"}), "");
   EXPECT_NE(comparison(world, {"boddy_radius=1"}).find("it is no setting"), std::string::npos);

@@ -125,6 +125,15 @@ TEST(Proofs, LimitsOfAccelerationAndJerkAndDownwards) {
   EXPECT_EQ(claim_in(prove(problem_of("j_max 2\n"), straight_plan()), "jerk -y").least, 2);
 }
 
+TEST(Proofs, ThrustTiltAndBodyRates) {
+  // The acceleration's peak, 0.785 m/s^2, tilts by 0.0800; its jerk at rest's thrust turns by 0.0799 rad/s at most.
+  const Problem kept = problem_of("thrust_max 9.84\nthrust_min 9.8\ntilt_tangent 0.0801\nrate_max 0.08\n");
+  EXPECT_EQ(verdict_of(prove(kept, straight_plan())), Verdict::kProven);
+  expect_refuted("acceleration thrust", straight_plan(), problem_of("thrust_max 9.837\n"));
+  expect_refuted("tilt", straight_plan(), problem_of("tilt_tangent 0.0799\n"));
+  expect_refuted("body rate", straight_plan(), problem_of("thrust_min 5\nrate_max 0.0637\n"));
+}
+
 TEST(Proofs, BothEnds) {
   Plan plan = straight_plan();
   plan.segments[1].points[7][2] += decimal(1, 12);

@@ -113,7 +113,8 @@ void add_plan_command(CLI::App& app, int& exit_status) {
           "--set", options->overrides,
           "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, start_jerk, "
           "goal_velocity, goal_acceleration, goal_jerk, resolution, radius, tracking_margin, v_max, a_max, v_min, "
-          "a_min, v_horizontal, a_horizontal, j_max, j_horizontal, time_weight, search (fast or optimal), "
+          "a_min, v_horizontal, a_horizontal, j_max, j_horizontal, thrust_max, thrust_min, tilt_tangent, rate_max, "
+          "time_weight, search (fast or optimal), "
           "goal_mode (exact or nearest), unknown (free or solid), yaw (motion, fixed, point or timed), start_yaw, "
           "start_yaw_rate, start_yaw_acceleration, yaw_rate_max, yaw_acceleration_max; "
           "e.g. --set radius=0.1 --set goal=1,2,3")

@@ -94,6 +94,27 @@ std::string via_lines(const PlanResult& result) {
   return text;
 }
 
+/// "3.1 to 19.6 of 3.0 to 19.6 m/s^2" and so on, of the limits that were given.
+std::string thrust_line(const tern_host::Figures& figures, const tern::Limits& limits) {
+  constexpr double kDegrees = 57.295779513082321;
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (limits.thrust_min > 0.0) {
+    add("least " + fixed(figures.thrust_least, 3) + " of " + fixed(limits.thrust_min, 3) + " m/s^2");
+  }
+  if (limits.thrust_max > 0.0) {
+    add("most " + fixed(figures.thrust_most, 3) + " of " + fixed(limits.thrust_max, 3) + " m/s^2");
+  }
+  if (limits.tilt_tangent > 0.0) {
+    const double most = kDegrees * std::atan(limits.tilt_tangent);
+    add("tilt " + fixed(kDegrees * figures.tilt, 2) + " of " + fixed(most, 2) + " degrees");
+  }
+  if (limits.rate_max > 0.0) {
+    add("body rate " + fixed(figures.rate, 3) + " of " + fixed(limits.rate_max, 3) + " rad/s");
+  }
+  return text.empty() ? text : "  thrust      " + text + "\n";
+}
+
 std::string trajectory_lines(const PlanResult& result) {
   const tern::Limits& limits = result.scenario.limits;
   const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
@@ -105,7 +126,7 @@ std::string trajectory_lines(const PlanResult& result) {
          via_lines(result) +
          peaks_line("velocity", figures.v_range, tern_host::velocity_range(limits), "m/s", figures.v_use) +
          peaks_line("accel.", figures.a_range, tern_host::acceleration_range(limits), "m/s^2", figures.a_use) +
-         jerk_line + clearance_line(figures.clearance, result.scenario);
+         jerk_line + thrust_line(figures, limits) + clearance_line(figures.clearance, result.scenario);
 }
 
 std::string yaw_line(const PlanResult& result) {

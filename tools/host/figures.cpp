@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tern/flatness.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -44,6 +46,17 @@ double use(const Vec3& v, const LimitRange& limit) {
   return limit.horizontal > 0.0 ? std::max(most, std::hypot(v.x, v.y) / limit.horizontal) : most;
 }
 
+void widen_thrust(Figures& figures, const tern::Sample& sample) {
+  const Vec3& j = sample.jerk;
+  const Vec3 f{sample.acceleration.x, sample.acceleration.y, sample.acceleration.z + tern::kGravity};
+  const double thrust = norm(f);
+  figures.thrust_least = std::min(figures.thrust_least, thrust);
+  figures.thrust_most = std::max(figures.thrust_most, thrust);
+  figures.tilt = std::max(figures.tilt, std::atan2(std::hypot(f.x, f.y), f.z));
+  const double turn = norm({j.y * f.z - j.z * f.y, j.z * f.x - j.x * f.z, j.x * f.y - j.y * f.x});
+  figures.rate = std::max(figures.rate, turn / (thrust * thrust));
+}
+
 double outside(double value, double lower, double upper) {
   return std::max({lower - value, value - upper, 0.0});
 }
@@ -66,6 +79,7 @@ Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario) {
   figures.duration = tern::duration(trajectory);
   figures.snap = tern::snap_cost(trajectory);
   figures.clearance = std::numeric_limits<double>::infinity();
+  figures.thrust_least = figures.clearance;
   const double wanted = std::ceil(figures.duration / kSampleStep);
   const int samples = static_cast<int>(std::max(1.0, std::min(wanted, kMaxSamples)));
   const LimitRange velocity = velocity_range(scenario.limits);
@@ -83,6 +97,7 @@ Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario) {
     widen(figures.v_range, sample.velocity);
     widen(figures.a_range, sample.acceleration);
     widen(figures.j_range, sample.jerk);
+    widen_thrust(figures, sample);
     figures.speed = std::max(figures.speed, norm(sample.velocity));
     figures.acceleration = std::max(figures.acceleration, norm(sample.acceleration));
     figures.v_use = std::max(figures.v_use, use(sample.velocity, velocity));

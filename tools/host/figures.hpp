@@ -31,6 +31,10 @@ struct Figures {
   double v_use = 0.0;         ///< highest part of a velocity limit that is used, 1 where it is reached
   double a_use = 0.0;         ///< likewise of an acceleration limit
   double j_use = 0.0;         ///< and of a jerk limit
+  double thrust_least = 0.0;  ///< of the thrust, m/s^2
+  double thrust_most = 0.0;   ///< m/s^2
+  double tilt = 0.0;          ///< largest, rad
+  double rate = 0.0;          ///< largest body rate across the thrust, rad/s
   double clearance = 0.0;     ///< smallest distance to a block as written in the scenario, m; infinite with none
 };
 

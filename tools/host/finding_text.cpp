@@ -20,8 +20,9 @@ std::string derivative_name(int derivative) {
 }
 
 std::string axis_text(int axis) {
-  static const char* const kNames[] = {" on the x axis", " on the y axis", " on the z axis", " in the horizontal norm"};
-  return axis >= 0 && axis < 4 ? kNames[axis] : "";
+  static const char* const kNames[] = {" on the x axis",          " on the y axis", " on the z axis",
+                                       " in the horizontal norm", " in its thrust", " in its tilt"};
+  return axis >= 0 && axis < 6 ? kNames[axis] : "";
 }
 
 std::string excess_text(const ProofReport& check) {
@@ -66,6 +67,8 @@ std::string describe_finding(const ProofReport& check) {
     case Finding::kAcceleration:
     case Finding::kJerk:
       return motion_text(check, "is beyond its limit");
+    case Finding::kBodyRate:
+      return "body rate of " + segment_text(check) + " is beyond its limit by " + brief(check.excess) + " rad/s";
     case Finding::kJoint:
       return motion_text(check, "jumps from the segment before");
     case Finding::kFence:

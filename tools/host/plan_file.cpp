@@ -42,6 +42,10 @@ Json limits_json(const tern::Limits& limits) {
   const Vec3& jerk = limits.j_max;
   if (jerk.x > 0.0 || jerk.y > 0.0 || jerk.z > 0.0) result["j_max"] = json(jerk);
   if (limits.j_horizontal > 0.0) result["j_horizontal"] = limits.j_horizontal;
+  if (limits.thrust_max > 0.0) result["thrust_max"] = limits.thrust_max;
+  if (limits.thrust_min > 0.0) result["thrust_min"] = limits.thrust_min;
+  if (limits.tilt_tangent > 0.0) result["tilt_tangent"] = limits.tilt_tangent;
+  if (limits.rate_max > 0.0) result["rate_max"] = limits.rate_max;
   return result;
 }
 

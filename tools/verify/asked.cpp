@@ -26,6 +26,9 @@ std::vector<Bound> bounds_of(const Json& limits) {
   add_bounds(2, point_of(limits.at("a_max")), point_of(limits.at("a_min")), number_or_zero(limits, "a_horizontal"),
              bounds);
   add_bounds(3, jerk, none, number_or_zero(limits, "j_horizontal"), bounds);
+  add_bounds({number_or_zero(limits, "thrust_max"), number_or_zero(limits, "thrust_min"),
+              number_or_zero(limits, "tilt_tangent"), number_or_zero(limits, "rate_max")},
+             bounds);
   return bounds;
 }
 

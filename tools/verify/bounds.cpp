@@ -9,7 +9,7 @@
 namespace tern_verify {
 namespace {
 
-constexpr const char* kAxes[] = {"x", "y", "z", "horizontal"};
+constexpr const char* kAxes[] = {"x", "y", "z", "horizontal", "thrust"};
 /// Halvings after which a piece counts with its hull. A level takes three quarters of the hull's excess away.
 constexpr int kMostHalvings = 40;
 
@@ -33,6 +33,16 @@ struct InPlane {
   static Rational size(const Vector<2>& v) { return dot(v, v); }
   /// No size is below that of a negative value.
   static Rational size_of_value(const Rational& value) { return value < 0 ? Rational(-1) : Rational(value * value); }
+  static Rational value_below(const Rational& size) { return root_below(size); }
+  static Rational value_above(const Rational& size) { return root_above(size); }
+};
+
+struct Thrust {
+  static constexpr std::size_t kDimensions = 3;
+
+  static Point of(const Point& p) { return {p[0], p[1], p[2] + gravity()}; }
+  static Rational size(const Point& v) { return dot(v, v); }
+  static Rational size_of_value(const Rational& value) { return InPlane::size_of_value(value); }
   static Rational value_below(const Rational& size) { return root_below(size); }
   static Rational value_above(const Rational& size) { return root_above(size); }
 };
@@ -106,12 +116,15 @@ void prove_bound(const std::vector<Segment>& segments, const Bound& bound, const
 
 void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>& bounds, Claims& claims) {
   for (const Bound& bound : bounds) {
-    const std::string direction = bound.axis == kHorizontal ? "" : (bound.sign > 0 ? "+" : "-");
+    if (bound.axis == kTilt || bound.axis == kTurn) continue;
+    const std::string direction = bound.axis >= kHorizontal ? "" : (bound.sign > 0 ? "+" : "-");
     Claim claim;
     claim.what = kDerivativeNames[bound.derivative] + std::string(" ") + direction + kAxes[bound.axis];
     claim.unit = kUnits[bound.derivative];
     if (bound.axis == kHorizontal) {
       prove_bound(segments, bound, InPlane{}, claim);
+    } else if (bound.axis == kThrust) {
+      prove_bound(segments, bound, Thrust{}, claim);
     } else {
       prove_bound(segments, bound, AlongAxis{static_cast<std::size_t>(bound.axis), bound.sign}, claim);
     }

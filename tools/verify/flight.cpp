@@ -78,6 +78,7 @@ Claims claims_of(const Flight& flight, const Demands& demands, std::size_t numbe
   if (!claims.empty()) claims.front().tolerance += kCut;
   prove_rest(commit, claims);
   prove_bounds(commit.segments, demands.bounds, claims);
+  prove_turns(commit.segments, demands.bounds, claims);
   prove_fences(flight.world.boundary, demands, commit, claims);
   prove_clearance(demands, commit, claims);
   prove_takeover(flight, number, claims);

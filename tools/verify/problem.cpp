@@ -32,6 +32,10 @@ const std::set<std::string> kSettings = {"start",
                                          "a_horizontal",
                                          "j_max",
                                          "j_horizontal",
+                                         "thrust_max",
+                                         "thrust_min",
+                                         "tilt_tangent",
+                                         "rate_max",
                                          "time_weight",
                                          "search",
                                          "goal_mode",
@@ -51,6 +55,9 @@ void apply(const Settings& settings, Problem& problem) {
   add_bounds(1, settings.limit("v_max", 2), settings.limit("v_min", 0), settings.number("v_horizontal", 0), bounds);
   add_bounds(2, settings.limit("a_max", 2), settings.limit("a_min", 0), settings.number("a_horizontal", 0), bounds);
   add_bounds(3, settings.limit("j_max", 0), {0, 0, 0}, settings.number("j_horizontal", 0), bounds);
+  add_bounds({settings.number("thrust_max", 0), settings.number("thrust_min", 0), settings.number("tilt_tangent", 0),
+              settings.number("rate_max", 0)},
+             bounds);
   problem.cell = settings.number("resolution", 0.1);
   problem.radius = settings.number("radius", 0.25);
   problem.tracking_margin = settings.number("tracking_margin", 0);
@@ -117,6 +124,22 @@ void add_bounds(int derivative, const Point& most, const Point& least, const Rat
     bounds.push_back({derivative, a, -1, least[i] < 0 ? Rational(-least[i]) : most[i]});
   }
   if (horizontal > 0) bounds.push_back({derivative, kHorizontal, 1, horizontal});
+}
+
+Rational gravity() {
+  return Rational(9.80665);
+}
+
+void add_bounds(const VehicleLimits& limits, std::vector<Bound>& bounds) {
+  const bool has_thrust = limits.thrust_max > 0 || limits.thrust_min > 0 || limits.tilt_tangent > 0;
+  const Rational fall = gravity() - limits.thrust_min;
+  for (Bound& bound : bounds) {
+    const bool is_fall = bound.derivative == 2 && bound.axis == 2 && bound.sign < 0;
+    if (has_thrust && is_fall) bound.most = std::min<Rational>(bound.most, fall);
+  }
+  if (limits.thrust_max > 0) bounds.push_back({2, kThrust, 1, limits.thrust_max});
+  if (limits.tilt_tangent > 0) bounds.push_back({2, kTilt, 1, limits.tilt_tangent});
+  if (limits.rate_max > 0) bounds.push_back({3, kTurn, 1, limits.rate_max});
 }
 
 Problem parse_problem(const std::string& text, const std::string& name) {

@@ -50,9 +50,15 @@ struct Via {
   Rational dwell;  ///< seconds at rest
 };
 
-constexpr int kHorizontal = 3;  ///< in place of an axis: the length of (x, y)
+// In place of an axis: the length of (x, y); the thrust, which is the acceleration plus gravity; the tangent of its
+// tilt; its rate of turning.
+constexpr int kHorizontal = 3;
+constexpr int kThrust = 4;
+constexpr int kTilt = 5;
+constexpr int kTurn = 6;
 
-/// A limit on one derivative (1 velocity to 3 jerk) along one axis and direction, or on its horizontal norm.
+/// A limit on one derivative (1 velocity to 3 jerk) along one axis and direction, on its horizontal norm, or on the
+/// thrust that follows from it.
 struct Bound {
   int derivative;
   int axis;
@@ -64,6 +70,15 @@ struct Bound {
 /// or on a horizontal norm is none.
 void add_bounds(int derivative, const Point& most, const Point& least, const Rational& horizontal,
                 std::vector<Bound>& bounds);
+
+/// Limits of the vehicle; 0 is none.
+struct VehicleLimits {
+  Rational thrust_max, thrust_min, tilt_tangent, rate_max;
+};
+/// Adds them. They may raise the lower limit of the vertical acceleration, so they come after those of add_bounds.
+void add_bounds(const VehicleLimits& limits, std::vector<Bound>& bounds);
+/// As the core has it, in doubles.
+Rational gravity();
 
 /// World frame, metres, seconds.
 struct Problem {

@@ -44,6 +44,8 @@ void prove_boundary(const Subject& subject, Claims& claims);
 void prove_fences(const Subject& subject, Claims& claims);
 /// The bounds hold for all t.
 void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>& bounds, Claims& claims);
+/// Likewise those on the tilt and on its rate, which compare polynomials of control points.
+void prove_turns(const std::vector<Segment>& segments, const std::vector<Bound>& bounds, Claims& claims);
 /// The curve, for all t, keeps the clearance from each solid voxel.
 void prove_clearance(const Subject& subject, Claims& claims);
 

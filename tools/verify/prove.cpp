@@ -36,6 +36,7 @@ Claims prove(const Problem& problem, const Plan& plan) {
   prove_fences(subject, claims);
   prove_clearance(subject, claims);
   prove_bounds(plan.segments, problem.bounds, claims);
+  prove_turns(plan.segments, problem.bounds, claims);
   return claims;
 }
 

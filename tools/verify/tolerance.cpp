@@ -36,6 +36,11 @@ Rational amplification(const Rational& duration, int derivative) {
   return factor;
 }
 
+Rational derivative_rounding(const Segment& segment, int derivative) {
+  return ulp() * kBoundUlps * largest_coordinate(segment.points, segment.points.front()) *
+         amplification(segment.duration, derivative);
+}
+
 }  // namespace
 
 Rational largest_gap(const Point& a, const Point& b) {
@@ -65,9 +70,18 @@ Rational joint_tolerance(const Segment& segment, int derivative) {
 }
 
 Rational bound_tolerance(const Segment& segment, const Bound& bound) {
-  const Rational rounding = ulp() * kBoundUlps * largest_coordinate(segment.points, segment.points.front()) *
-                            amplification(segment.duration, bound.derivative);
+  const Rational rounding = derivative_rounding(segment, bound.derivative);
+  if (bound.axis == kThrust) return decimal(3, 8) * (bound.most + gravity()) + 2 * rounding;
   return decimal(3, 8) * bound.most + (bound.axis == kHorizontal ? 2 : 1) * rounding;
+}
+
+Rational tilt_tolerance(const Segment& segment, const Rational& slope) {
+  return decimal(3, 8) * gravity() + derivative_rounding(segment, 2) * (2 + 2 / slope);
+}
+
+Rational turn_tolerance(const Segment& segment, const Rational& rate, const Rational& least_thrust) {
+  const Rational rounding = 2 * derivative_rounding(segment, 3) + 4 * rate * derivative_rounding(segment, 2);
+  return decimal(3, 8) * rate + rounding / least_thrust;
 }
 
 }  // namespace tern_verify

@@ -28,6 +28,9 @@ Rational joint_tolerance(const Segment& segment, int derivative);
 
 /// Of a bound that holds for all t on a segment.
 Rational bound_tolerance(const Segment& segment, const Bound& bound);
+/// What docs/proof.md grants the vertical thrust on a cone of this slope, and the rate at which the thrust turns.
+Rational tilt_tolerance(const Segment& segment, const Rational& slope);
+Rational turn_tolerance(const Segment& segment, const Rational& rate, const Rational& least_thrust);
 
 }  // namespace tern_verify
 

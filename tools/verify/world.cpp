@@ -20,8 +20,9 @@ constexpr int kMostSinkAcceleration = 3;
 const Rational kStorey = Rational(7) / 2 + decimal(1, 9);
 
 const std::map<std::string, Rational> kDefaults = {
-    {"body_radius", 0.25}, {"tracking_margin", 0.10}, {"pose_margin", 0}, {"v_max", 3}, {"a_max", 6},
-    {"j_max", 0},          {"tick_hz", 100}};
+    {"body_radius", 0.25}, {"tracking_margin", 0.10}, {"pose_margin", 0}, {"v_max", 3},        {"a_max", 6},
+    {"j_max", 0},          {"thrust_max", 0},         {"thrust_min", 0},  {"tilt_tangent", 0}, {"rate_max", 0},
+    {"tick_hz", 100}};
 
 /// Settings that change no proof.
 const std::set<std::string> kOthers = {
@@ -123,7 +124,8 @@ bool all_alike(const std::vector<T>& a, const std::vector<T>& b) {
 }  // namespace
 
 const std::vector<std::string> kWorldSettings = {"body_radius", "tracking_margin", "pose_margin", "cell",
-                                                 "v_max",       "a_max",           "j_max",       "tick_hz"};
+                                                 "v_max",       "a_max",           "j_max",       "thrust_max",
+                                                 "thrust_min",  "tilt_tangent",    "rate_max",    "tick_hz"};
 
 World parse_world(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
   World world;
@@ -166,6 +168,9 @@ std::vector<Bound> bounds_of(const World& world) {
   add_bounds(1, {speed, speed, at_most(speed, kMostClimb)}, {0, 0, 0}, speed, bounds);
   add_bounds(2, {gentle, gentle, at_most(gentle, kMostClimbAcceleration)}, {0, 0, sink}, gentle, bounds);
   add_bounds(3, {jerk, jerk, jerk}, {0, 0, 0}, 0, bounds);
+  add_bounds({world.setting("thrust_max"), world.setting("thrust_min"), world.setting("tilt_tangent"),
+              world.setting("rate_max")},
+             bounds);
   return bounds;
 }
 

@@ -25,6 +25,7 @@ struct Excess;
 struct Grant;
 struct Hints;
 struct PlanHints;
+struct TurningRule;
 
 /// What a proof assumes of the space beyond the grid's boundary.
 enum class Beyond : uint8_t {
@@ -117,7 +118,7 @@ class Proof {
     double begin;  // the segment's parameter at the piece's beginning, 0 .. 1
     int depth;
   };
-  enum Part : int { kPosition, kVelocity, kAcceleration, kJerk };
+  enum Part : int { kPosition, kVelocity, kAcceleration, kJerk, kTurning };
 
   void refuse(double from) noexcept;
   void take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept;
@@ -134,6 +135,9 @@ class Proof {
   bool keeps_fences(const Piece& piece) noexcept;
   bool is_cut_off(int fence, const Piece& piece) noexcept;
   Allowed allowed() const noexcept;
+  TurningRule turning() const noexcept;
+  double rounding_of(int derivative) const noexcept;
+  double length_of(const Piece& piece) const noexcept;
   Excess excess_at(const Vec3& point, Finding end) const noexcept;
   void note_excess(const Piece& piece, int degree, Finding end) noexcept;
   void look_at_piece() noexcept;

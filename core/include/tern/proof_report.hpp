@@ -27,15 +27,15 @@ struct ProofReport {
   int32_t fence = kNoFence;
   /// For kVia: its index in Request::vias.
   int32_t via = kNoVia;
-  /// 0 position, 1 velocity, 2 acceleration, 3 jerk.
+  /// 0 position, 1 velocity, 2 acceleration, 3 jerk; 4 for kBodyRate.
   int32_t derivative = -1;
-  /// 0 x, 1 y, 2 z; 3 the horizontal norm.
+  /// 0 x, 1 y, 2 z; 3 the horizontal norm; of an acceleration also 4 the thrust, 5 the tilt.
   int32_t axis = -1;
   /// For kObstacle: the voxel that is too near.
   Voxel voxel{-1, -1, -1};
-  /// By how much more than the proof grants: metres, or m/s, m/s^2 or m/s^3 for a derivative. >= 0. The worst that was
-  /// seen on the way to the finding. 0 for kMalformed and kPieces, and if no point that was looked at exceeds the
-  /// grant.
+  /// By how much more than the proof grants: metres, or m/s, m/s^2 or m/s^3 for a derivative; m/s^2 of horizontal
+  /// thrust for the tilt, rad/s for a body rate. >= 0. The worst that was seen on the way to the finding. 0 for
+  /// kMalformed and kPieces, and if no point that was looked at exceeds the grant.
   double excess = 0.0;
   /// Units of work done so far (tern/work.hpp).
   uint32_t work = 0;

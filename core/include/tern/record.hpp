@@ -21,7 +21,7 @@
 namespace tern {
 
 /// Version of the format that this library writes and reads.
-constexpr uint32_t kRecordVersion = 2;
+constexpr uint32_t kRecordVersion = 3;
 
 /// Bytes that are enough for a record of any request on a grid of these dimensions; 0 if they are out of range.
 size_t plan_record_bytes(const Voxel& dims) noexcept;

@@ -48,6 +48,20 @@ struct Limits {
   Vec3 j_max{};
   /// m/s^3: limit of sqrt(jx^2 + jy^2). 0 means none.
   double j_horizontal = 0.0;
+
+  // The vehicle's own limits. The thrust over mass is f = a + (0, 0, kGravity), as flat_state() gives it. With a limit
+  // on thrust or tilt, it never points down.
+  /// m/s^2, > kGravity: the largest thrust |f|. 0 means none.
+  double thrust_max = 0.0;
+  /// m/s^2, within [kMinLimit, kGravity - kMinLimit]: the least thrust. Plans keep its vertical part above it, which is
+  /// stricter. 0 means none, and then plans may fall freely.
+  double thrust_min = 0.0;
+  /// Tangent of the largest angle between f and the vertical: 0.577 for 30 degrees, 1 for 45. Within [kMinLimit,
+  /// kMaxLimit]. 0 means none.
+  double tilt_tangent = 0.0;
+  /// rad/s: the largest body rate across the thrust, roll and pitch together: |j x f| / |f|^2. Within [kMinLimit,
+  /// kMaxLimit]. 0 means none. It needs a thrust_min, because without thrust there is no direction to turn.
+  double rate_max = 0.0;
 };
 /// Smallest and largest magnitude of a limit.
 constexpr double kMinLimit = 1e-3;

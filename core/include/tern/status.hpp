@@ -178,6 +178,7 @@ enum class Finding : uint8_t {
   kJerk,          ///< some jerk(t) is beyond a limit
   kVia,           ///< a via is missed, out of order, or not passed as it was asked for; plans only
   kPieces,        ///< a segment needs more pieces than kProofPieces
+  kBodyRate,      ///< some body rate is beyond its limit
 };
 
 /// The field of a request, a grid, a flight or a call that a status is about. The numbers are part of the ABI; 17 and
@@ -232,6 +233,10 @@ enum class Field : uint8_t {
   kNear,               ///< FlightSpec::near
   kYawRate,            ///< FlightSpec::yaw_rate
   kStaleAfter,         ///< FlightSpec::stale_after
+  kThrustMax,          ///< Limits::thrust_max
+  kThrustMin,          ///< Limits::thrust_min; with a rate_max, it must be given
+  kTiltTangent,        ///< Limits::tilt_tangent
+  kRateMax,            ///< Limits::rate_max
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 11
+#define TERN_ABI 12
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -73,6 +73,8 @@ typedef struct {
   double v_horizontal, a_horizontal;    /* > 0; 0 means none */
   tern_vec3 j_max;                      /* m/s^3, > 0 in both directions; an axis of 0 has no limit */
   double j_horizontal;                  /* m/s^3, > 0; 0 means none */
+  double thrust_max, thrust_min;        /* of |a + (0, 0, gravity)|, m/s^2, > 0; 0 means none */
+  double tilt_tangent, rate_max;        /* tangent of the largest tilt; rad/s, roll and pitch; > 0; 0 means none */
 } tern_limits;
 /* Units of work that a plan may spend in each stage, about a thousand instructions each: tern/request.hpp. UINT32_MAX
  * means no limit but the stage's own bound. */

@@ -154,6 +154,7 @@ const char* finding_name(Finding finding) noexcept {
     case Finding::kVia: return "via";
     case Finding::kBoundary: return "boundary state";
     case Finding::kPieces: return "pieces";
+    case Finding::kBodyRate: return "body rate";
   }
   return "unknown";
 }
@@ -184,6 +185,10 @@ const char* field_name(Field field) noexcept {
     case Field::kGoalJerk: return "goal jerk";
     case Field::kJMax: return "j_max";
     case Field::kJHorizontal: return "j_horizontal";
+    case Field::kThrustMax: return "thrust_max";
+    case Field::kThrustMin: return "thrust_min";
+    case Field::kTiltTangent: return "tilt_tangent";
+    case Field::kRateMax: return "rate_max";
     case Field::kVHorizontal: return "v_horizontal";
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";

@@ -19,8 +19,8 @@ constexpr double kSecondPart = 0.15;
 /// jerk of 1.5 c / r at most. A brake's first ramp changes it by no more than 1.5 times the acceleration, plus the
 /// speed over r.
 double gentle_ramp(const State& state, const MotionLimits& limits) {
-  return square_root(kSmoothStepPeak * gauge(limits.jerk, state.velocity)) +
-         kSmoothStepPeak * 1.5 * gauge(limits.jerk, state.acceleration);
+  return square_root(kSmoothStepPeak * ramp_gauge(limits, state.velocity)) +
+         kSmoothStepPeak * 1.5 * ramp_gauge(limits, state.acceleration);
 }
 
 double ramp_time(const State& state, const MotionLimits& limits, int shape, double least) {

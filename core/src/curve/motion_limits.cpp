@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "base/polyhedron.hpp"
 #include "curve/bezier.hpp"
+#include "curve/body_rate.hpp"
 
 namespace tern {
 
@@ -27,9 +28,14 @@ bool within_limits(const Segment& segment, const MotionLimits& limits, double to
   if (peak_bound(velocity, limits.velocity, most, 0.0) > most) return false;
   const Curve acceleration = hodograph(velocity, segment.duration);
   if (peak_bound(acceleration, limits.acceleration, most, 0.0) > most) return false;
-  if (!limits_anything(limits.jerk)) return true;
   const double most_jerk = 1.0 + kJerkTolerance;
-  return !(peak_bound(hodograph(acceleration, segment.duration), limits.jerk, most_jerk, 0.0) > most_jerk);
+  if (limits_anything(limits.jerk)) {
+    const Curve jerk = hodograph(acceleration, segment.duration);
+    if (peak_bound(jerk, limits.jerk, most_jerk, 0.0) > most_jerk) return false;
+  }
+  if (!(limits.rate > 0.0)) return true;
+  const double most_rate = most_jerk * limits.rate;
+  return !(peak_rate(segment, most_rate, 0.0) > most_rate);
 }
 
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept {

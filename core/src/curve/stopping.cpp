@@ -59,9 +59,7 @@ Turn turn_of(int index) {
 
 MotionLimits weaker(const MotionLimits& limits, double strength) {
   MotionLimits result = limits;
-  result.acceleration.upper = strength * limits.acceleration.upper;
-  result.acceleration.lower = strength * limits.acceleration.lower;
-  result.acceleration.horizontal = strength * limits.acceleration.horizontal;
+  result.acceleration = scaled(strength, limits.acceleration);
   return result;
 }
 
@@ -142,7 +140,7 @@ State state_of(const JointState& joint) {
 State add_turn(const State& state, const MotionLimits& limits, int index, double least, Stopping& out) {
   const Turn turn = turn_of(index);
   const Vec3 acceleration = turning(state, limits, turn);
-  const double ramp = larger(least, kSmoothStepPeak * gauge(limits.jerk, acceleration - state.acceleration));
+  const double ramp = larger(least, kSmoothStepPeak * ramp_gauge(limits, acceleration - state.acceleration));
   const double hold = larger(least, turn.hold * gauge(limits.acceleration, kZero - state.velocity));
   const JointState first{{state.position, state.velocity, state.acceleration, state.jerk}};
   const JointState second = after_ramp(first, acceleration, ramp);
@@ -171,17 +169,20 @@ constexpr Swerve straight(int shape) {
 
 /// A ramp in which every axis can get from its acceleration to its limit.
 double gentlest_ramp(const State& state, const MotionLimits& limits) {
+  const double turning_jerk = limits.rate > 0.0 ? limits.rate * kGravity : kUnlimited;
   double ramp = 0.0;
   for (int a = 0; a < 3; ++a) {
     const double limit = larger(axis(limits.acceleration.upper, a), -axis(limits.acceleration.lower, a));
     const double change = limit + absolute(axis(state.acceleration, a));
-    ramp = larger(ramp, kSmoothStepPeak * change / axis(limits.jerk.upper, a));
+    ramp = larger(ramp, kSmoothStepPeak * change / smaller(turning_jerk, axis(limits.jerk.upper, a)));
   }
   return ramp;
 }
 
 void add_axis_brake(const State& state, const MotionLimits& limits, double ramp, Stopping& out) {
-  const AxisBrake brake = make_axis_brake(state, limits, larger(ramp, gentlest_ramp(state, limits)));
+  MotionLimits each = limits;
+  each.acceleration = inner_box(limits.acceleration);
+  const AxisBrake brake = make_axis_brake(state, each, larger(ramp, gentlest_ramp(state, each)));
   for (int i = 0; i < brake.segments; ++i) {
     out.segments[out.count++] = segment_between(brake.joint[i], brake.joint[i + 1], brake.duration[i]);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flight/evasion.hpp"
 
+#include "base/bounds.hpp"
 #include "base/math.hpp"
 
 namespace tern {
@@ -164,7 +165,10 @@ bool Evasion::leaves_time(const FlightFacts& flight, const Watch& watch, std::in
   if (takeover >= watch.contact.time) return false;
   const Vec3& most = flight.spec.limits.a_max;
   const double weakest = smaller(most.x, smaller(most.y, most.z));
-  const double needed = 2.0 * length(flight.plans.sample_at(takeover).velocity) / weakest + 2.0 * kSettleTime;
+  const Vec3 velocity = flight.plans.sample_at(takeover).velocity;
+  const double sharpest =
+      larger(length(velocity) / weakest, thrust_gauge(flight.limits.acceleration, kZero - velocity));
+  const double needed = 2.0 * sharpest + 2.0 * kSettleTime;
   return seconds_between(takeover + ticks(flight.spec) * flight.spec.tick, watch.contact.time) > needed;
 }
 

@@ -31,8 +31,8 @@ Ramps ramps_of(const JointState& from, const MotionLimits& limits, double ramp) 
 
 /// The jerk of a ramp is at most kSmoothStepPeak times the change of acceleration over its length.
 bool keeps_jerk(const JointState& from, const MotionLimits& limits, const Ramps& ramps) {
-  const double first = gauge(limits.jerk, ramps.deceleration - from.d[2]);
-  const double second = gauge(limits.jerk, ramps.deceleration);
+  const double first = ramp_gauge(limits, ramps.deceleration - from.d[2]);
+  const double second = ramp_gauge(limits, ramps.deceleration);
   return kSmoothStepPeak * larger(first, second) <= (1.0 - kJerkMargin) * ramps.ramp;
 }
 
@@ -43,7 +43,7 @@ Ramps shortest_ramps(const JointState& from, const MotionLimits& limits) {
   if (keeps_jerk(from, limits, best)) return best;
   double low = kMinDuration;
   double high = kMinDuration +
-                2.0 * kSmoothStepPeak * (square_root(gauge(limits.jerk, from.d[1])) + gauge(limits.jerk, from.d[2]));
+                2.0 * kSmoothStepPeak * (square_root(ramp_gauge(limits, from.d[1])) + ramp_gauge(limits, from.d[2]));
   best = ramps_of(from, limits, high);
   for (int i = 0; i < kRampHalvings; ++i) {
     const double middle = 0.5 * (low + high);

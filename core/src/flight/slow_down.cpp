@@ -95,7 +95,7 @@ double joint_after(const Trajectory& plan, double planned) {
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept {
   const Vec3 back = -1.0 * velocity;
   double time = larger(kShortest, kSteepestBlend * gauge(limits.acceleration, back));
-  time = larger(time, square_root(kMostCurved * gauge(limits.jerk, back)));
+  time = larger(time, square_root(kMostCurved * ramp_gauge(limits, back)));
   for (int i = 0; i < way; ++i) time *= kSlower;
   return time;
 }

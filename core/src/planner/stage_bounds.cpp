@@ -110,15 +110,17 @@ StageBound trajectory_bound() {
   constexpr Operations kBasis = ops::kPiece + ops::kElement * kQpMaxRank * Operations{kQpMaxDimension};
   constexpr Operations kTriangle = (ops::kElement + ops::kTurn) * kQpMaxRank * (kQpMaxRank + 1);
   constexpr Operations kRotations = 2 * ops::kElement * kQpMaxRank * Operations{kQpMaxDimension + kQpMaxRank};
+  constexpr Operations kLimitPlanes = 22 + kQpThrustPlanes;
+  constexpr Operations kPlanes = kLimitPlanes > kMaxPlanes ? kLimitPlanes : Operations{kMaxPlanes};
   constexpr Operations kPrice =
-      3 * kQpMaxBatches * (2 * ops::kPiece + kQpBatch * (qp::kPointOperations + ops::kElement * 3 * kMaxPlanes));
+      3 * kQpMaxBatches * (2 * ops::kPiece + kQpBatch * (qp::kPointOperations + ops::kElement * 3 * kPlanes));
   constexpr Operations kMeasure = 4 * kBand + 2 * qp::kConstraintOperations * (kQpMaxRank + 2);
   constexpr Operations kIteration = 8 * kBasis + 4 * kTriangle + kRotations + 3 * (kPrice + kMeasure + 3 * kBand);
   constexpr Operations kProgramme = 4 * kBand + 8 * ops::kDot * Operations{kQpMaxPoints} +
                                     (3 * ops::kDot + ops::kPiece) * Operations{kQpMaxPlanes} +
                                     40 * ops::kCurve * kMaxSegments + 400 * ops::kCurve;
   constexpr Operations kJudgement = 2 * (16 * ops::kCurve * kMaxSegments + 2 * ops::kPiece * (kMaxActive + 1)) +
-                                    2 * ops::kCurve * (kMaxSegments + kBrakingsTried);
+                                    2 * ops::kCurve * (kMaxSegments + kBrakingsTried) + kRateOperations * kMaxSegments;
   return {std::uint64_t{kTrajectoryBound} + 2 * kMaxQpSolves + 4, kIteration + kProgramme + kJudgement};
 }
 

@@ -4,11 +4,31 @@
 
 #include "base/bounds.hpp"
 #include "base/capacity.hpp"
+#include "curve/body_rate.hpp"
 #include "grid/lattice.hpp"
 #include "planner/previous.hpp"
 
 namespace tern {
 namespace {
+
+/// A limit of the vehicle's own, which 0 leaves out, and its range.
+struct ScalarLimit {
+  double value;
+  double least;
+  double most;
+  Field field;
+};
+
+struct VehicleLimits {
+  ScalarLimit of[4];
+};
+
+VehicleLimits vehicle_limits(const Limits& limits) {
+  return {{{limits.thrust_max, kGravity + kMinLimit, kMaxLimit, Field::kThrustMax},
+           {limits.thrust_min, kMinLimit, kGravity - kMinLimit, Field::kThrustMin},
+           {limits.tilt_tangent, kMinLimit, kMaxLimit, Field::kTiltTangent},
+           {limits.rate_max, kMinLimit, kMaxLimit, Field::kRateMax}}};
+}
 
 Verdict check_finite(const Limits& limits) {
   const struct {
@@ -25,6 +45,9 @@ Verdict check_finite(const Limits& limits) {
   if (!finite(limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
   if (!finite(limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
   if (!finite(limits.j_horizontal)) return {Status::kNonFiniteInput, Field::kJHorizontal};
+  for (const ScalarLimit& limit : vehicle_limits(limits).of) {
+    if (!finite(limit.value)) return {Status::kNonFiniteInput, limit.field};
+  }
   return kAccepted;
 }
 
@@ -86,6 +109,12 @@ Verdict check_limits(const Limits& limits) {
   const Vec3& jerk = limits.j_max;
   if (!valid_jerk(jerk.x) || !valid_jerk(jerk.y) || !valid_jerk(jerk.z)) return {Status::kLimitsInvalid, Field::kJMax};
   if (!valid_jerk(limits.j_horizontal)) return {Status::kLimitsInvalid, Field::kJHorizontal};
+  for (const ScalarLimit& limit : vehicle_limits(limits).of) {
+    const bool valid = !is_given(limit.value) || (limit.value >= limit.least && limit.value <= limit.most);
+    if (!valid) return {Status::kLimitsInvalid, limit.field};
+  }
+  const bool lacks_thrust = limits.rate_max > 0.0 && !(limits.thrust_min > 0.0);
+  if (lacks_thrust) return {Status::kLimitsInvalid, Field::kThrustMin};
   return kAccepted;
 }
 
@@ -111,7 +140,10 @@ struct EndFields {
 Verdict check_state(const State& state, const MotionLimits& limits, const EndFields& fields) {
   if (!within_limit(state.velocity, limits.velocity)) return {fields.status, fields.velocity};
   if (!within_limit(state.acceleration, limits.acceleration)) return {fields.status, fields.acceleration};
-  return within_jerk(state.jerk, limits.jerk) ? kAccepted : Verdict{fields.status, fields.jerk};
+  const bool turns_too_fast =
+      limits.rate > 0.0 && body_rate(state.acceleration, state.jerk) > (1.0 + kLimitSlack) * limits.rate;
+  const bool within = within_jerk(state.jerk, limits.jerk) && !turns_too_fast;
+  return within ? kAccepted : Verdict{fields.status, fields.jerk};
 }
 
 Verdict check_states(const Request& request, const MotionLimits& limits) {

@@ -7,6 +7,7 @@
 #include "base/math.hpp"
 #include "prove/grants.hpp"
 #include "prove/joints.hpp"
+#include "prove/turning.hpp"
 
 namespace tern {
 namespace {
@@ -71,7 +72,7 @@ Operations check_piece_operations(const GridSpec& spec) noexcept {
   const Operations rows = Operations{spec.dims.y} * spec.dims.z;
   const Operations cuts = 4 * ops::kRow + 18 * ops::kMultiplyAdd * kMaxPlanes;
   const Operations boxes = 2 * ops::kRow + (spec.dims.x / 2 + 1) * (8 + 15 * kControlPoints) * ops::kDot;
-  return kEndOperations + 12 * ops::kPiece + 6 * ops::kDot * kMaxPlanes + kAskedOperations +
+  return kEndOperations + kTurningOperations + 12 * ops::kPiece + 6 * ops::kDot * kMaxPlanes + kAskedOperations +
          rows * (cuts + 2 * ops::kPiece + boxes);
 }
 

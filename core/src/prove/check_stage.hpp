@@ -22,8 +22,9 @@
 
 namespace tern {
 
-/// Pieces of work of one check: pieces of each segment's position and of its three derivatives, and the joints.
-constexpr std::uint32_t kCheckBound = kMaxSegments * (4u * (kProofPieces + 1) + 1u) + 1u;
+/// Pieces of work of one check: pieces of each segment's position of its three derivatives and of its body rates, and
+/// the joints.
+constexpr std::uint32_t kCheckBound = kMaxSegments * (5u * (kProofPieces + 1) + 1u) + 1u;
 /// The most operations of one of them.
 Operations check_piece_operations(const GridSpec& spec) noexcept;
 

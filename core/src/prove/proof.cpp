@@ -203,6 +203,13 @@ void Proof::lose(double u, Finding end) noexcept {
   if (end != Finding::kFence) report_.fence = kNoFence;
 }
 
+/// What a piece takes of the segment's parameter.
+double Proof::length_of(const Piece& piece) const noexcept {
+  double length = 1.0 - first_;
+  for (int k = 0; k < piece.depth; ++k) length *= 0.5;
+  return length;
+}
+
 /// The piece on top of the stack is proven, halved, or lost.
 void Proof::look_at_piece() noexcept {
   Piece& piece = stack_[height_ - 1];
@@ -220,9 +227,7 @@ void Proof::look_at_piece() noexcept {
   ++first.depth;
   piece.depth = first.depth;
   cut(first.c, degree, 0.5, piece.c);
-  double length = 1.0 - first_;
-  for (int k = 0; k < first.depth; ++k) length *= 0.5;
-  piece.begin = first.begin + length;
+  piece.begin = first.begin + length_of(first);
   stack_[height_++] = first;
 }
 
@@ -230,7 +235,8 @@ void Proof::look_at_piece() noexcept {
 int Proof::part_after(int part) const noexcept {
   if (part == kPosition && has_limits_) return kVelocity;
   if (part == kVelocity) return kAcceleration;
-  return part == kAcceleration && limits_jerk(limits_) ? kJerk : kPosition;
+  if (part == kAcceleration && limits_jerk(limits_)) return kJerk;
+  return (part == kAcceleration || part == kJerk) && limits_turning(limits_) ? kTurning : kPosition;
 }
 
 /// Goes on with the next part, then with the next segment, unless the segment was lost somewhere.
@@ -277,7 +283,7 @@ double clear_until(const Grid& grid, const Trajectory& trajectory, double from, 
   Proof proof;
   // There are no fences to check, and a check would take stack.
   const bool begun = proof.begin_accepted(grid, trajectory, from, limits, beyond, {}) == Status::kRunning;
-  // A segment takes 4 * (kProofPieces + 1) pieces at most.
+  // A segment takes 5 * (kProofPieces + 1) pieces at most.
   for (int i = 0; begun && i <= kMaxSegments && proof.step(~uint32_t{0}) == Status::kRunning; ++i) {
   }
   if (report != nullptr) *report = proof.report();

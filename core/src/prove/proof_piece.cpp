@@ -8,7 +8,9 @@
 #include "prove/fences.hpp"
 #include "prove/grants.hpp"
 #include "prove/hull_clear.hpp"
+#include "prove/turning.hpp"
 #include "tern/corridor.hpp"
+#include "tern/flatness.hpp"
 #include "tern/proof.hpp"
 
 namespace tern {
@@ -108,17 +110,33 @@ bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
   return own.count > 0 && cuts_off({own.planes, own.count});
 }
 
+/// What rounding may do to a derivative of the current segment.
+double Proof::rounding_of(int derivative) const noexcept {
+  const Segment& segment = trajectory_->segments[segment_];
+  return is_cut_ ? derivative_rounding(segment, derivative) : hodograph_rounding(segment, derivative);
+}
+
 /// What the limits allow the current part.
 Allowed Proof::allowed() const noexcept {
-  const Segment& segment = trajectory_->segments[segment_];
-  const double rounding = is_cut_ ? derivative_rounding(segment, part_) : hodograph_rounding(segment, part_);
-  return allowed_by(limits_, part_, excess_, rounding);
+  return allowed_by(limits_, part_, excess_, rounding_of(part_));
+}
+
+/// What the limits allow the body rates. Rounding of the thrust counts as so much more rate.
+TurningRule Proof::turning() const noexcept {
+  const double thrust = limits_.thrust_min > 0.0 ? limits_.thrust_min : kGravity;
+  const double rounding = 4.0 * rounding_of(kAcceleration) / thrust;
+  return {(1.0 + excess_ + rounding) * limits_.rate_max, 2.0 * rounding_of(kJerk)};
 }
 
 bool Proof::holds(const Piece& piece, int count, Finding& end) noexcept {
   if (part_ == kPosition) return keeps_clear(piece, end);
-  constexpr Finding kEnds[] = {Finding::kObstacle, Finding::kVelocity, Finding::kAcceleration, Finding::kJerk};
+  constexpr Finding kEnds[] = {Finding::kObstacle, Finding::kVelocity, Finding::kAcceleration, Finding::kJerk,
+                               Finding::kBodyRate};
   end = kEnds[part_];
+  if (part_ == kTurning) {
+    work_->spend(kTurningOperations);
+    return turning_allowed(trajectory_->segments[segment_], piece.begin, piece.begin + length_of(piece), turning());
+  }
   return hull_allowed(allowed(), piece.c, count);
 }
 
@@ -134,6 +152,11 @@ Excess Proof::excess_at(const Vec3& point, Finding end) const noexcept {
 
 /// Notes the worst excess at the ends of a piece that is not proven; both are points of the curve.
 void Proof::note_excess(const Piece& piece, int degree, Finding end) noexcept {
+  if (part_ == kTurning) {
+    const double rate = turning_at(trajectory_->segments[segment_], piece.begin);
+    worst_ = larger(worst_, rate - turning().most);
+    return;
+  }
   for (int i = 0; i <= degree; i += degree) {
     const Excess excess = excess_at(piece.c[i], end);
     if (!(excess.amount > worst_)) continue;

@@ -14,7 +14,7 @@ constexpr int kQpMaxDimension = qp::padded(kQpAxes * kQpMaxUnknowns);
 constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : kQpAxes * kQpMaxUnknowns;
 /// Points are priced in batches of this many. A group's last batch may be partly empty.
 constexpr int kQpBatch = 8;
-constexpr int kQpMaxBatches = kQpMaxPoints / kQpBatch + kQpMaxGroups;
+constexpr int kQpMaxBatches = (kQpMaxPoints + 21 * kMaxSegments) / kQpBatch + kQpMaxGroups;
 
 /// Index at which column j of a packed upper triangle begins. Each column has an even length, so that pairs are
 /// aligned.

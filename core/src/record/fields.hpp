@@ -45,8 +45,12 @@ void list_limits(Words& words, AnyLimits& limits) {
   words(limits.a_horizontal);
   words(limits.j_max);
   words(limits.j_horizontal);
+  words(limits.thrust_max);
+  words(limits.thrust_min);
+  words(limits.tilt_tangent);
+  words(limits.rate_max);
 }
-constexpr std::size_t kLimitFields = 18;
+constexpr std::size_t kLimitFields = 22;
 
 template <typename Words, typename AnyRequest>
 void list_settings(Words& words, AnyRequest& request) {

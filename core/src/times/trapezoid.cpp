@@ -18,7 +18,7 @@ LineLimits limits_along(const Vec3& delta, const MotionLimits& limits) noexcept 
 
 double ramp_acceleration(const Vec3& delta, const MotionLimits& limits, const LineLimits& line) noexcept {
   const Vec3 direction = (1.0 / length(delta)) * delta;
-  const double stiffness = 0.5 * (gauge(limits.jerk, direction) + gauge(limits.jerk, -1.0 * direction));
+  const double stiffness = 0.5 * (ramp_gauge(limits, direction) + ramp_gauge(limits, -1.0 * direction));
   const double rise = line.acceleration * stiffness;  // seconds to full acceleration
   if (!(rise > 0.0)) return line.acceleration;
   const double seconds = line.speed / line.acceleration;

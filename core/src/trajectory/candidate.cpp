@@ -4,20 +4,49 @@
 
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
+#include "curve/body_rate.hpp"
 #include "curve/motion_limits.hpp"
 
 namespace tern {
 namespace {
 
-Segment segment_of(const Candidate& candidate, int index) {
+/// How often a plan is stretched for its body rates before the stretch that surely suffices.
+constexpr int kRateStretches = 8;
+/// A stretch by less than this part more than needed is good enough.
+constexpr double kEnough = 1e-3;
+
+/// The largest body rate of the plan with this stretch.
+double peak_rate(const Candidate& candidate, double stretch) {
+  double peak = 0.0;
+  for (int i = 0; i < candidate.chain.count; ++i) {
+    Segment segment = segment_of(candidate, i);
+    segment.duration *= stretch;
+    peak = larger(peak, peak_rate(segment, peak, kRateAccuracy));
+  }
+  return peak;
+}
+
+/// Stretches the plan further until its body rates keep the limit. A rate falls with the first to the third power of
+/// the stretch, so the square root of the excess comes closer from either side.
+double stretch_to_rate(const Candidate& candidate, double least, double limit) {
+  double factor = least;
+  for (int i = 0; i < kRateStretches; ++i) {
+    const double excess = peak_rate(candidate, factor) / limit;
+    if (excess <= 1.0 && (factor <= least || excess >= 1.0 - kEnough)) return factor;
+    factor = larger(least, factor * square_root((1.0 + 0.5 * kEnough) * excess));
+  }
+  return factor * larger(1.0, peak_rate(candidate, factor) / limit);
+}
+
+}  // namespace
+
+Segment segment_of(const Candidate& candidate, int index) noexcept {
   Segment segment;
   segment.duration = candidate.chain.duration[index];
   segment.polyhedron = candidate.chain.polyhedron[index];
   for (int k = 0; k < kControlPoints; ++k) segment.points[k] = candidate.points[index][k];
   return segment;
 }
-
-}  // namespace
 
 double snap_of(const Candidate& candidate) noexcept {
   double snap = 0.0;
@@ -34,7 +63,7 @@ double stretch_to_limits(const Candidate& candidate, const MotionLimits& limits)
     factor = larger(factor, kMinDuration / candidate.chain.duration[i]);
     factor = larger(factor, stretch_to_limits(segment_of(candidate, i), limits));
   }
-  return factor;
+  return limits.rate > 0.0 ? stretch_to_rate(candidate, factor, limits.rate) : factor;
 }
 
 bool keeps_everything(const Candidate& candidate, double factor, const Corridor& corridor,

@@ -19,6 +19,12 @@ struct Candidate {
   const Vec3 (*points)[kControlPoints];
 };
 
+/// A segment, before any stretch.
+Segment segment_of(const Candidate& candidate, int index) noexcept;
+
+/// Relative accuracy of a plan's body rates.
+constexpr double kRateAccuracy = 1e-4;
+
 /// Integral of squared snap, m^2/s^7.
 double snap_of(const Candidate& candidate) noexcept;
 

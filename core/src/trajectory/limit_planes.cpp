@@ -7,7 +7,7 @@ namespace {
 
 /// cos and sin of pi / 16 and 3 pi / 16: outward normals of the polygon's sides in the first quarter of a turn are
 /// (c1, s1), (c3, s3), (s3, c3), (s1, c1).
-constexpr double kCos1 = 0.98078528040323043;
+constexpr double kCos1 = kPolygonInside;
 constexpr double kSin1 = 0.19509032201612827;
 constexpr double kCos3 = 0.83146961230254524;
 constexpr double kSin3 = 0.55557023301960218;
@@ -37,14 +37,9 @@ void add_axis(LimitPlanes& limit, const Bounds& bounds, int a, double margin) {
 }
 
 void add_polygon(LimitPlanes& limit, double radius, const Vec3& along, double margin) {
-  const double norm = horizontal_length(along);
-  Vec3 turn = norm > 0.0 ? Vec3{along.x / norm, along.y / norm, 0.0} : Vec3{1.0, 0.0, 0.0};
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    for (const double(&n)[2] : kQuarter) {
-      add(limit, {turn.x * n[0] - turn.y * n[1], turn.x * n[1] + turn.y * n[0], 0.0},
-          radius * kCos1 / limit.unit * (1.0 - margin));
-    }
-    turn = Vec3{-turn.y, turn.x, 0.0};
+  const Vec3 turn = horizontal_direction(along);
+  for (int side = 0; side < kHorizontalSides; ++side) {
+    add(limit, polygon_normal(turn, side), radius * kPolygonInside / limit.unit * (1.0 - margin));
   }
 }
 
@@ -52,6 +47,18 @@ void add_polygon(LimitPlanes& limit, double radius, const Vec3& along, double ma
 
 double horizontal_length(const Vec3& value) noexcept {
   return square_root(value.x * value.x + value.y * value.y);
+}
+
+Vec3 horizontal_direction(const Vec3& along) noexcept {
+  const double norm = horizontal_length(along);
+  return norm > 0.0 ? Vec3{along.x / norm, along.y / norm, 0.0} : Vec3{1.0, 0.0, 0.0};
+}
+
+Vec3 polygon_normal(const Vec3& corner, int side) noexcept {
+  Vec3 turn = corner;
+  for (int quarter = 0; quarter < side / 4; ++quarter) turn = Vec3{-turn.y, turn.x, 0.0};
+  const double(&n)[2] = kQuarter[side % 4];
+  return {turn.x * n[0] - turn.y * n[1], turn.x * n[1] + turn.y * n[0], 0.0};
 }
 
 LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along, double margin) noexcept {

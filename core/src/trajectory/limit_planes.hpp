@@ -13,6 +13,7 @@ namespace tern {
 /// Sides of the regular polygon that stands for a limit on the horizontal norm. It lies inside the circle: a direction
 /// half-way between two corners loses 1 - cos(pi / 16), 1.92 %. A direction at a corner loses nothing.
 constexpr int kHorizontalSides = 16;
+constexpr double kPolygonInside = 0.98078528040323043;  ///< cos(pi / 16): its inscribed circle's radius
 constexpr int kMaxLimitPlanes = 6 + kHorizontalSides;
 
 /// Part of a limit that its constraints leave free, so that a solution to within the solver's tolerance keeps the
@@ -28,6 +29,11 @@ struct LimitPlanes {
 };
 
 double horizontal_length(const Vec3& value) noexcept;
+/// The horizontal unit vector along the value; along x if there is none.
+Vec3 horizontal_direction(const Vec3& along) noexcept;
+/// The outward normal of a side, 0 .. kHorizontalSides - 1, of the polygon with a corner in the horizontal direction
+/// `corner`, which is a unit vector.
+Vec3 polygon_normal(const Vec3& corner, int side) noexcept;
 
 /// The half-spaces of the limits: first both sides of every axis, without those that are unlimited or that the
 /// horizontal limit implies; then the polygon. The polygon has a corner in the horizontal direction of `along`, which

@@ -8,6 +8,7 @@
 #include "trajectory/end_weights.hpp"
 #include "trajectory/limit_planes.hpp"
 #include "trajectory/piece.hpp"
+#include "trajectory/thrust_planes.hpp"
 
 namespace tern {
 namespace {
@@ -15,6 +16,11 @@ namespace {
 /// Stiffness of the springs at vias, relative to the Hessian's diagonal. Their part of the cost is below the solver's
 /// tolerance.
 constexpr double kSpring = 1e-10;
+
+/// Without a limit on thrust, constraints let the jerk go as far as this thrust would, m/s^2.
+constexpr double kMostThrust = 8.0 * kGravity;
+/// The most jerk, over that which turns the thrust across it at the limit.
+constexpr double kMostTurn = 8.0;
 
 static_assert(kControlPoints + kVelocityPoints + kAccelerationPoints + kJerkPoints <= kQpPointsPerSegment,
               "room for a segment's points");
@@ -161,24 +167,66 @@ void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& 
   }
 }
 
+/// The boundary state towards which polygons and polyhedra turn a corner, where they lose nothing of the limit: the
+/// programme cannot change that state.
+Vec3 kept_state(const Chain& chain, int order) {
+  return horizontal_length(chain.start.d[order]) > 0.0 ? chain.start.d[order] : chain.goal.d[order];
+}
+
+/// Adds the planes of the limits on one derivative, and returns their unit.
+double add_limit_planes(const Bounds& bounds, const Vec3& along, int order, QpProblem& problem) {
+  const LimitPlanes limit = limit_planes(bounds, along, order == 3 ? kJerkMargin : kConstraintMargin);
+  for (const Halfspace* plane = limit.planes; plane != limit.planes + limit.count; ++plane) {
+    problem.planes[problem.plane_count++] = *plane;
+  }
+  problem.plane_count += thrust_planes(bounds, along, limit.unit, problem.planes + problem.plane_count);
+  return limit.unit;
+}
+
 /// Adds the constraints of one kind of limit for every segment. All segments but the first leave out their first point:
 /// it is the last point of the segment before.
-void add_limit_constraints(const Chain& chain, ProgrammeScale& scale, const LimitPlanes& limit, int order,
+void add_limit_constraints(const Chain& chain, ProgrammeScale& scale, const Bounds& bounds, int order,
                            QpProblem& problem) {
   const EndWeightList points = end_weights_of(order);
   const int plane_begin = problem.plane_count;
-  scale.unit[order] = limit.unit;
-  for (int p = 0; p < limit.count; ++p) problem.planes[problem.plane_count + p] = limit.planes[p];
-  problem.plane_count += limit.count;
+  scale.unit[order] = add_limit_planes(bounds, kept_state(chain, order), order, problem);
   for (int i = 0; i < chain.count; ++i) {
     const Piece piece = piece_of(chain, scale, i);
-    const double multiplier = 1.0 / (power_of(chain.duration[i], order) * limit.unit);
+    const double power = power_of(chain.duration[i], order);
+    double multiplier = 1.0 / (power * scale.unit[order]);
     const int point_begin = problem.point_count;
     for (int r = i == 0 ? 0 : 1; r < points.count; ++r) {
-      add_point(piece, points.list[r], multiplier, origin_of(i, order, r), scale, problem);
+      const PointOrigin origin = origin_of(i, order, r);
+      if (order == 3) multiplier = 1.0 / (power * unit_of(scale, origin));
+      add_point(piece, points.list[r], multiplier, origin, scale, problem);
     }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
+}
+
+/// Adds constraints for a limit on body rates: a plane for each segment, below its accelerations, and the jerk's.
+/// Limits on jerk become so much smaller at each point that they lie in the point's cylinder.
+void add_turning_constraints(const Chain& chain, const MotionLimits& limits, const Turning& turning, int acceleration,
+                             ProgrammeScale& scale, QpProblem& problem) {
+  scale.floors = problem.plane_count;
+  for (int i = 0; i < chain.count; ++i) {
+    const double fall = (kGravity - turning.thrust[i]) / scale.unit[2] * (1.0 - kConstraintMargin);
+    problem.planes[problem.plane_count++] = Halfspace{{0.0, 0.0, -1.0}, fall};
+    const QpGroup& group = problem.groups[acceleration + i];
+    problem.groups[problem.group_count++] =
+        QpGroup{group.point_begin, group.point_end, problem.plane_count - 1, problem.plane_count};
+  }
+  const double most =
+      kMostTurn * limits.rate * (limits.acceleration.thrust > 0.0 ? limits.acceleration.thrust : kMostThrust);
+  Bounds jerk = limits.jerk;
+  jerk.horizontal = jerk.horizontal > 0.0 ? smaller(jerk.horizontal, most) : most;
+  jerk.upper.z = smaller(jerk.upper.z, most);
+  jerk.lower.z = -jerk.upper.z;
+  const double extent = larger(horizontal_extent(jerk), jerk.upper.z);
+  for (int i = 0; i < chain.count; ++i) {
+    for (int r = 0; r < kJerkPoints; ++r) scale.part[i][r] = smaller(1.0, turning.jerk[i][r] / extent);
+  }
+  add_limit_constraints(chain, scale, jerk, 3, problem);
 }
 
 /// Adds the constraints that keep the joints at vias with a tolerance in their cubes.
@@ -197,12 +245,6 @@ void add_via_constraints(const Chain& chain, ProgrammeScale& scale, QpProblem& p
               origin_of(via_joint.segment, 0, 0), scale, problem);
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
-}
-
-/// The horizontal direction in which the polygon loses nothing of the limit: that of a boundary state, which the
-/// programme cannot change.
-Vec3 kept_direction(const Chain& chain, int order) {
-  return horizontal_length(chain.start.d[order]) > 0.0 ? chain.start.d[order] : chain.goal.d[order];
 }
 
 void clear(int unknowns, QpProblem& problem) {
@@ -237,8 +279,8 @@ JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpS
 
 }  // namespace
 
-void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
-              ProgrammeScale& scale) noexcept {
+void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, const Turning* turning,
+              QpProblem& problem, ProgrammeScale& scale) noexcept {
   clear(kJointOrder * (chain.count - 1), problem);
   scale.tau = mean_duration(chain);
   scale.unit[0] = 1.0;
@@ -247,12 +289,16 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   for (int i = 0; i < chain.count; ++i) add_cost(piece_of(chain, scale, i), problem);
   add_via_joints(chain, scale, problem);
   add_corridor(chain, corridor, scale, problem);
-  const LimitPlanes velocity = limit_planes(limits.velocity, kept_direction(chain, 1));
-  const LimitPlanes acceleration = limit_planes(limits.acceleration, kept_direction(chain, 2));
-  add_limit_constraints(chain, scale, velocity, 1, problem);
-  add_limit_constraints(chain, scale, acceleration, 2, problem);
-  if (limits_anything(limits.jerk)) {
-    add_limit_constraints(chain, scale, limit_planes(limits.jerk, kept_direction(chain, 3), kJerkMargin), 3, problem);
+  add_limit_constraints(chain, scale, limits.velocity, 1, problem);
+  const int acceleration = problem.group_count;
+  add_limit_constraints(chain, scale, limits.acceleration, 2, problem);
+  for (int i = 0; i < chain.count; ++i) {
+    for (double& part : scale.part[i]) part = 1.0;
+  }
+  if (limits.rate > 0.0) {
+    add_turning_constraints(chain, limits, *turning, acceleration, scale, problem);
+  } else if (limits_anything(limits.jerk)) {
+    add_limit_constraints(chain, scale, limits.jerk, 3, problem);
   }
   add_via_constraints(chain, scale, problem);
 }

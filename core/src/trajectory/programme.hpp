@@ -15,6 +15,7 @@
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
 #include "times/chain.hpp"
+#include "trajectory/hodograph_points.hpp"
 
 namespace tern {
 
@@ -26,11 +27,19 @@ struct PointOrigin {
   std::int8_t index;
 };
 
+/// With a limit on body rates, what the rows of each segment bound (trajectory/turning.hpp).
+struct Turning {
+  double jerk[kMaxSegments][kJerkPoints];  ///< of each point, m/s^3, horizontally and vertically
+  double thrust[kMaxSegments];             ///< m/s^2, vertically, from below
+};
+
 /// How to convert a programme's unknowns to states, its points to parts of segments, and its cost to snap.
 struct ProgrammeScale {
   double tau;                               ///< mean duration, seconds
   double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
   double unit[4];                           ///< unit of the points of each order: metres, m/s, m/s^2, m/s^3
+  double part[kMaxSegments][kJerkPoints];   ///< of the jerk's unit, at each point; 1 without a limit on rates
+  int floors;                               ///< the first of the planes that bound each segment's vertical thrust
   double snap_per_cost;                     ///< integral of squared snap divided by the programme's objective
   PointOrigin origin[kQpMaxPoints];
 };
@@ -39,8 +48,15 @@ struct ProgrammeScale {
 /// from the boundary states and the durations alone, are left out: whoever accepts a solution checks all control points
 /// anyway. A constraint keeps its (point, plane) from one assembly of a chain to the next, whatever the durations. So a
 /// working set can warm-start the next programme.
-void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
-              ProgrammeScale& scale) noexcept;
+///
+/// `turning` is read only with a limit on body rates.
+void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, const Turning* turning,
+              QpProblem& problem, ProgrammeScale& scale) noexcept;
+
+/// The unit of a programme's point.
+inline double unit_of(const ProgrammeScale& scale, const PointOrigin& origin) noexcept {
+  return origin.order == 3 ? scale.unit[3] * scale.part[origin.segment][origin.index] : scale.unit[origin.order];
+}
 
 /// The control points of a solution. `points`: chain.count rows of kControlPoints, local frame. Segments have the same
 /// bits at a common joint. The first and the last control point are the start and the goal, bit for bit.

@@ -9,6 +9,7 @@
 #include "trajectory/chain_ends.hpp"
 #include "trajectory/programme.hpp"
 #include "trajectory/stop_and_go.hpp"
+#include "trajectory/turning.hpp"
 
 namespace tern {
 namespace {
@@ -69,7 +70,7 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   }
   work.spend(kEndOperations * fit_ends(corridor, stage.query.limits, stage.chain));
   if (stage.chain.via_joint_count > 0) even_out(stage.chain);
-  assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
+  assemble(stage.chain, corridor, stage.query.limits, &stage.turning, stage.problem, stage.scale);
   stage.fixed_snap = fixed_snap(stage);
   work.spend(assembly_operations(stage.chain, stage.problem));
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
@@ -142,6 +143,11 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const bool better = improves(stage.refinement, round.offer);
   const bool via_joints = keeps_everything(candidate, round.offer.stretch, corridor, stage.query.limits);
   if (!via_joints) stage.solve_status = Status::kNumerical;
+  if (stage.query.limits.rate > 0.0) {
+    work.spend(kRateOperations * stage.chain.count);
+    const double stretch = smaller(1.0, round.offer.stretch);
+    learn_turning(candidate, stretch, stage.problem, stage.solution, stage.scale, stage.query.limits, stage.turning);
+  }
   round.better = better && via_joints;
   if (!round.better) return;
   work.spend(prices_operations(stage.chain, stage.solution));
@@ -155,6 +161,11 @@ Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
                   agility(stage.chain, corridor, query.limits), is_elastic(stage), query.paced && !stage.has_fallback};
 }
 
+void begin_refinement(TrajectoryStage& stage, const Corridor& corridor) {
+  refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
+  if (stage.query.limits.rate > 0.0) first_turning(stage.chain, stage.query.limits, stage.turning);
+}
+
 /// If no programme had a solution: starts again from the segments of stop-and-go, for which a solution exists.
 void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const TrajectoryQuery& query = stage.query;
@@ -165,7 +176,7 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& wor
   stage.warm_count = 0;
   follow(stage.fallback, stage.chain);
   if (!place_via_joints(stage.chain)) return;  // false if the way from one via to the next has no length
-  refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
+  begin_refinement(stage, corridor);
 }
 
 /// After a programme that was too ill-conditioned: from now on the chain goes through its vias exactly, which improves
@@ -256,7 +267,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.chain = chain;
   if (stays(corridor) && is_elastic(stage)) return;
   if (query.stop_and_go) return;
-  refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
+  begin_refinement(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
 }
 

@@ -61,6 +61,7 @@ struct TrajectoryStage {
   Refinement refinement;
   Round round;
   ProgrammeScale scale;
+  Turning turning;
   BestPlan best;
   bool has_fallback;    ///< the chain follows the fallback
   Trajectory fallback;  ///< stop-and-go
@@ -109,6 +110,9 @@ inline Operations judgement_operations(const Chain& chain) {
 inline Operations points_operations(const Chain& chain) {
   return 10 * ops::kCurve * chain.count;
 }
+
+/// Of each segment, with a limit on body rates: its rates at some stretches, over some pieces each, about.
+constexpr Operations kRateOperations = 64 * ops::kCurve;
 
 /// The prices of the durations: five curves a segment, and two points for each active constraint.
 inline Operations prices_operations(const Chain& chain, const QpSolution& solution) {

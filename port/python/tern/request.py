@@ -34,13 +34,18 @@ def state(end: End) -> State:
     return end if isinstance(end, State) else State(end)
 
 
+_AXES = ("v_max", "a_max", "v_min", "a_min", "j_max")
+_NUMBERS = ("v_horizontal", "a_horizontal", "j_horizontal", "thrust_max", "thrust_min", "tilt_tangent", "rate_max")
+
+
 @dataclass(frozen=True)
 class Limits:
     """Limits of a plan, in m/s, m/s^2 and m/s^3, as tern::Limits.
 
     v_max, a_max: for each axis, > 0. v_min, a_min: for motion in the negative direction, < 0; 0 means minus the upper
     one. v_horizontal, a_horizontal, j_horizontal: for the horizontal norm; 0 means none. j_max: for each axis; 0 means
-    none.
+    none. thrust_max, thrust_min, tilt_tangent, rate_max: the vehicle's thrust over mass, the tangent of its largest
+    tilt, and its roll and pitch rate together in rad/s; 0 means none.
     """
     v_max: Sequence[float]
     a_max: Sequence[float]
@@ -50,18 +55,20 @@ class Limits:
     a_horizontal: float = 0.0
     j_max: Sequence[float] = _ZERO
     j_horizontal: float = 0.0
+    thrust_max: float = 0.0
+    thrust_min: float = 0.0
+    tilt_tangent: float = 0.0
+    rate_max: float = 0.0
 
     def fields(self) -> dict:
         """For a tern_limits."""
-        out = {name: vector(getattr(self, name)) for name in ("v_max", "a_max", "v_min", "a_min", "j_max")}
-        return {**out, "v_horizontal": self.v_horizontal, "a_horizontal": self.a_horizontal,
-                "j_horizontal": self.j_horizontal}
+        out = {name: vector(getattr(self, name)) for name in _AXES}
+        return {**out, **{name: getattr(self, name) for name in _NUMBERS}}
 
     @classmethod
     def _of(cls, struct) -> "Limits":
-        names = ("v_max", "a_max", "v_min", "a_min", "j_max")
-        return cls(**{name: triple(getattr(struct, name)) for name in names}, v_horizontal=struct.v_horizontal,
-                   a_horizontal=struct.a_horizontal, j_horizontal=struct.j_horizontal)
+        return cls(**{name: triple(getattr(struct, name)) for name in _AXES},
+                   **{name: getattr(struct, name) for name in _NUMBERS})
 
     @classmethod
     def from_px4(cls, **parameters: float) -> "Limits":
@@ -73,6 +80,11 @@ class Limits:
     def from_ardupilot(cls, **parameters: float) -> "Limits":
         """Limits of plans that ArduPilot can follow, likewise, in metres (wpnav_speed_m_s=5.0)."""
         return cls._from("ardupilot", parameters)
+
+    @classmethod
+    def from_crazyflie(cls, **parameters: float) -> "Limits":
+        """Limits of plans that a Crazyflie can follow, likewise (thrust_base=40000 with a payload)."""
+        return cls._from("crazyflie", parameters)
 
     @classmethod
     def _from(cls, stack, parameters):

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/vectors.hpp"
+#include "tern/flatness.hpp"
 
 namespace tern_host {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using tern::Vec3;
 
 constexpr double kLimitExcess = 1e-6;            // relative
+constexpr double kLooseRate = 1.01;              // of a body rate's bound over a piece
 constexpr std::int64_t kJointNanoseconds = 100;  // stretches with a joint are halved down to this
 // Rounding of positions, of which the derivatives of a short piece are quotients: times 7, 42 and 210. Metres.
 constexpr std::array<double, 4> kSliverRounding{1e-14, 1e-13, 1e-12, 4e-12};
@@ -55,6 +57,45 @@ const char* beyond_acceleration(const tern::Limits& l, const Vec3& a) {
   const bool within =
       std::hypot(a.x, a.y) <= wider * l.a_horizontal && a.z <= wider * l.a_max.z && a.z >= wider * lowest;
   return within ? nullptr : "accelerates beyond its limit";
+}
+
+Vec3 thrust_at(const Vec3& a) {
+  return {a.x, a.y, a.z + tern::kGravity};
+}
+
+const char* beyond_thrust(const tern::Limits& l, const Vec3& a) {
+  const Vec3 f = thrust_at(a);
+  const double granted = kLimitExcess * tern::kGravity;
+  if (l.thrust_max > 0.0 && length(f) > (1.0 + kLimitExcess) * l.thrust_max + granted) return "thrusts too much";
+  if (l.thrust_min > 0.0 && f.z < l.thrust_min - granted) return "thrusts too little";
+  const bool tilts = l.tilt_tangent > 0.0 && std::hypot(f.x, f.y) > l.tilt_tangent * (f.z + granted);
+  return tilts ? "tilts beyond its limit" : nullptr;
+}
+
+/// The body rate times the squared thrust.
+double turn(const Vec3& j, const Vec3& f) {
+  return length({j.y * f.z - j.z * f.y, j.z * f.x - j.x * f.z, j.x * f.y - j.y * f.x});
+}
+
+const char* beyond_rate(const tern::Limits& l, const tern::Sample& sample) {
+  const Vec3 f = thrust_at(sample.acceleration);
+  const double most = (1.0 + kLimitExcess) * l.rate_max * (f.x * f.x + f.y * f.y + f.z * f.z);
+  return l.rate_max > 0.0 && turn(sample.jerk, f) > most ? "turns beyond its limit" : nullptr;
+}
+
+/// Bounds the rate over a piece by its largest products and its least thrust, which is no tight bound.
+const char* beyond_rate(const tern::Limits& l, const PieceHull& hull) {
+  if (!(l.rate_max > 0.0)) return nullptr;
+  const Vec3 along = thrust_at(hull.acceleration.front());
+  double least = length(along);
+  double most = 0.0;
+  for (const Vec3& a : hull.acceleration) {
+    const Vec3 f = thrust_at(a);
+    least = std::min(least, (f.x * along.x + f.y * along.y + f.z * along.z) / length(along));
+    for (const Vec3& j : hull.jerk) most = std::max(most, turn(j, f));
+  }
+  const bool within = least > 0.0 && most <= kLooseRate * l.rate_max * least * least;
+  return within ? nullptr : "turns beyond its limit";
 }
 
 const char* beyond_jerk(const tern::Limits& l, const Vec3& j) {
@@ -155,16 +196,19 @@ const char* broken_limit(const tern::Limits& limits, const PieceHull& hull) {
   }
   for (const Vec3& a : hull.acceleration) {
     if (beyond_acceleration(limits, a) != nullptr) return beyond_acceleration(limits, a);
+    if (beyond_thrust(limits, a) != nullptr) return beyond_thrust(limits, a);
   }
   for (const Vec3& j : hull.jerk) {
     if (beyond_jerk(limits, j) != nullptr) return beyond_jerk(limits, j);
   }
-  return nullptr;
+  return beyond_rate(limits, hull);
 }
 
 const char* broken_limit(const tern::Limits& limits, const tern::Sample& sample) {
   if (const char* const fast = beyond(limits, sample.velocity)) return fast;
   if (const char* const sharp = beyond_acceleration(limits, sample.acceleration)) return sharp;
+  if (const char* const thrust = beyond_thrust(limits, sample.acceleration)) return thrust;
+  if (const char* const turns = beyond_rate(limits, sample)) return turns;
   return beyond_jerk(limits, sample.jerk);
 }
 

@@ -65,6 +65,10 @@ std::string scenario_text(const FlightWorld& world) {
   text += vector_record("v_max", limits.v_max) + vector_record("a_max", limits.a_max);
   text += record("v_horizontal", {limits.v_horizontal}) + record("a_horizontal", {limits.a_horizontal});
   if (world.settings.j_max > 0.0) text += vector_record("j_max", limits.j_max);
+  if (limits.thrust_max > 0.0) text += record("thrust_max", {limits.thrust_max});
+  if (limits.thrust_min > 0.0) text += record("thrust_min", {limits.thrust_min});
+  if (limits.tilt_tangent > 0.0) text += record("tilt_tangent", {limits.tilt_tangent});
+  if (limits.rate_max > 0.0) text += record("rate_max", {limits.rate_max});
   return text + record("time_weight", {tern::flight_spec(limits).time_weight});
 }
 

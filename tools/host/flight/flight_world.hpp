@@ -69,7 +69,11 @@ struct FlightSettings {
   int speckle_filter = -1;   ///< 1: the sensor's driver takes lone pixels out; negative: with outliers
   double v_max = 3.0;
   double a_max = 6.0;
-  double j_max = 0.0;  ///< 0: no limit
+  double j_max = 0.0;       ///< 0: no limit
+  double thrust_max = 0.0;  ///< these four as in tern::Limits
+  double thrust_min = 0.0;
+  double tilt_tangent = 0.0;
+  double rate_max = 0.0;
   double yaw_rate = 2.5;
   double yaw_acceleration = 8.0;  ///< rad/s^2; only where the flight plans its yaw
   std::string yaw = "gimbal";     ///< or the flight's own plan: unseen, motion, point or heading

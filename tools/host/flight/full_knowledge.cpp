@@ -51,6 +51,10 @@ tern::Limits limits_of(const FlightSettings& s) {
   limits.v_horizontal = s.v_max;
   limits.a_horizontal = s.a_max;
   limits.j_max = {s.j_max, s.j_max, s.j_max};
+  limits.thrust_max = s.thrust_max;
+  limits.thrust_min = s.thrust_min;
+  limits.tilt_tangent = s.tilt_tangent;
+  limits.rate_max = s.rate_max;
   return limits;
 }
 

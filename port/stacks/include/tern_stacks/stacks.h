@@ -15,6 +15,7 @@ typedef tern::ExportError tern_export_error;
 typedef tern::Poly4d tern_crazyflie_piece;
 typedef tern::Px4Limits tern_px4_parameters;
 typedef tern::ArdupilotLimits tern_ardupilot_parameters;
+typedef tern::CrazyflieLimits tern_crazyflie_parameters;
 extern "C" {
 #else
 /* clang-format off */
@@ -28,15 +29,19 @@ typedef struct {
 } tern_mavlink_header;
 /* A piece of a Crazyflie's trajectory in raw form: tern::Poly4d. */
 typedef struct { float p[4][8]; float duration; } tern_crazyflie_piece;
-/* Parameters of PX4 and of ArduPilot: tern::Px4Limits, tern::ArdupilotLimits. */
+/* Parameters of PX4, ArduPilot and the Crazyflie: tern::Px4Limits, tern::ArdupilotLimits, tern::CrazyflieLimits. */
 typedef struct {
   double mpc_xy_vel_max, mpc_z_vel_max_up, mpc_z_vel_max_dn, mpc_acc_hor, mpc_acc_up_max, mpc_acc_down_max,
-         mpc_jerk_auto;
+         mpc_jerk_auto, mpc_tiltmax_air, mpc_thr_hover, mpc_thr_min, mpc_thr_max,
+         mc_rollrate_max, mc_pitchrate_max;
 } tern_px4_parameters;
 typedef struct {
   double wpnav_speed_m_s, wpnav_speed_up_m_s, wpnav_speed_dn_m_s, wpnav_accel_m_s2, wpnav_accel_z_m_s2,
-         psc_jerk_xy_m_s3, psc_jerk_z_m_s3;
+         psc_jerk_xy_m_s3, psc_jerk_z_m_s3, angle_max_deg, mot_thst_hover, atc_rate_r_max_deg, atc_rate_p_max_deg;
 } tern_ardupilot_parameters;
+typedef struct {
+  double x_vel_max, y_vel_max, z_vel_max, r_limit, p_limit, thrust_base, thrust_min;
+} tern_crazyflie_parameters;
 /* clang-format on */
 #endif
 
@@ -73,8 +78,10 @@ uint8_t tern_crazyflie_decompressed(const uint8_t* bytes, int32_t count, const t
  * the number of the limit that a bad parameter would have become: tern_field_name() has its name. */
 void tern_px4_defaults(tern_px4_parameters* parameters);
 void tern_ardupilot_defaults(tern_ardupilot_parameters* parameters);
+void tern_crazyflie_defaults(tern_crazyflie_parameters* parameters);
 uint8_t tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits, uint8_t* field);
 uint8_t tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits, uint8_t* field);
+uint8_t tern_limits_from_crazyflie(const tern_crazyflie_parameters* parameters, tern_limits* limits, uint8_t* field);
 
 #ifdef __cplusplus
 } /* extern "C" */

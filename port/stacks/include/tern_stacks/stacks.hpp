@@ -112,11 +112,16 @@ Status crazyflie_compressed(const Trajectory& trajectory, const YawPlan* yaw, co
 /// corridor: its polyhedron numbers are 0. kOk, or kInvalidArgument if the bytes are not of crazyflie_compressed().
 Status crazyflie_decompressed(const uint8_t* bytes, int32_t count, const Vec3& origin, Trajectory& trajectory) noexcept;
 
-/// PX4's parameters of the same names, m/s, m/s^2 and m/s^3. px4_limits() has the firmware's defaults.
+/// PX4's parameters of the same names, m/s, m/s^2 and m/s^3. px4_limits() has the firmware's defaults. The limits of
+/// thrust are the shares over MPC_THR_HOVER, times gravity. So set the share at which the vehicle hovers with its
+/// payload.
 struct Px4Limits {
   double mpc_xy_vel_max, mpc_z_vel_max_up, mpc_z_vel_max_dn;
   double mpc_acc_hor, mpc_acc_up_max, mpc_acc_down_max;
   double mpc_jerk_auto;
+  double mpc_tiltmax_air;                          ///< degrees
+  double mpc_thr_hover, mpc_thr_min, mpc_thr_max;  ///< shares of the full thrust
+  double mc_rollrate_max, mc_pitchrate_max;        ///< degrees per second
 };
 Px4Limits px4_limits() noexcept;
 
@@ -127,8 +132,21 @@ struct ArdupilotLimits {
   double wpnav_speed_m_s, wpnav_speed_up_m_s, wpnav_speed_dn_m_s;
   double wpnav_accel_m_s2, wpnav_accel_z_m_s2;
   double psc_jerk_xy_m_s3, psc_jerk_z_m_s3;
+  double angle_max_deg;                           ///< ANGLE_MAX is in hundredths of a degree
+  double mot_thst_hover;                          ///< share of the full thrust, with the payload
+  double atc_rate_r_max_deg, atc_rate_p_max_deg;  ///< degrees per second; 0: no limit
 };
 ArdupilotLimits ardupilot_limits() noexcept;
+
+/// The Crazyflie's parameters of the group posCtlPid, and the thrust at which it hovers with its decks. Speeds and tilt
+/// are those of its PID controller; the other controllers follow faster plans. crazyflie_limits() has the firmware's
+/// defaults.
+struct CrazyflieLimits {
+  double x_vel_max, y_vel_max, z_vel_max;  ///< xVelMax, yVelMax, zVelMax, m/s
+  double r_limit, p_limit;                 ///< rLimit, pLimit: roll and pitch, degrees
+  double thrust_base, thrust_min;          ///< thrustBase, thrustMin: at hover and at least, of 65535
+};
+CrazyflieLimits crazyflie_limits() noexcept;
 
 /// The share of PX4's speed limits that plans use. PX4 clips the sum of the plan's velocity and its own correction at
 /// MPC_XY_VEL_MAX: at a share of 1, a vehicle that lags cannot catch up. docs/integration/px4.md has measurements.
@@ -137,12 +155,13 @@ constexpr double kPx4SpeedShare = 0.7;
 /// speeds.
 constexpr double kArdupilotJerkShare = 0.9;
 
-/// Limits of plans that the autopilot can follow: horizontal ones on the norm, climb and descent apart. kOk;
-/// kNonFiniteInput; or kLimitsInvalid for a parameter below 0.01 or above what its autopilot's documentation allows,
-/// for example one in centimetres in place of metres (docs/export.md has the ranges). `limits` is then as it was, and
-/// `field` names the limit that would have come from the parameter. `field` may be null.
+/// Limits of plans that the autopilot can follow: horizontal ones on the norm, climb and descent apart, thrust, tilt
+/// and body rates. kOk; kNonFiniteInput; or kLimitsInvalid for a parameter below 0.01 or above what its autopilot's
+/// documentation allows, for example one in centimetres in place of metres (docs/export.md has the ranges). `limits` is
+/// then as it was, and `field` names the limit that would have come from the parameter. `field` may be null.
 Status limits_from_px4(const Px4Limits& parameters, Limits& limits, Field* field = nullptr) noexcept;
 Status limits_from_ardupilot(const ArdupilotLimits& parameters, Limits& limits, Field* field = nullptr) noexcept;
+Status limits_from_crazyflie(const CrazyflieLimits& parameters, Limits& limits, Field* field = nullptr) noexcept;
 
 }  // namespace tern
 

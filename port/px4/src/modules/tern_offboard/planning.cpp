@@ -60,6 +60,12 @@ bool read_limits() {
   own.mpc_acc_up_max = parameter("MPC_ACC_UP_MAX", own.mpc_acc_up_max);
   own.mpc_acc_down_max = parameter("MPC_ACC_DOWN_MAX", own.mpc_acc_down_max);
   own.mpc_jerk_auto = parameter("MPC_JERK_AUTO", own.mpc_jerk_auto);
+  own.mpc_tiltmax_air = parameter("MPC_TILTMAX_AIR", own.mpc_tiltmax_air);
+  own.mpc_thr_hover = parameter("MPC_THR_HOVER", own.mpc_thr_hover);
+  own.mpc_thr_min = parameter("MPC_THR_MIN", own.mpc_thr_min);
+  own.mpc_thr_max = parameter("MPC_THR_MAX", own.mpc_thr_max);
+  own.mc_rollrate_max = parameter("MC_ROLLRATE_MAX", own.mc_rollrate_max);
+  own.mc_pitchrate_max = parameter("MC_PITCHRATE_MAX", own.mc_pitchrate_max);
   tern::Field field = tern::Field::kNone;
   const tern::Status status = tern::limits_from_px4(own, limits, &field);
   if (status != tern::Status::kOk) {
