@@ -48,14 +48,17 @@ PROBES = """window.probe = {
     context.drawImage(canvas, -left * scale, -top * scale);
     return context.getImageData(0, 0, flat.width, flat.height).data;
   },
-  /** How many pixels have a colour of the palette. */
-  count(name, box) {
-    const colour = new THREE.Color(page.palette[name]);
-    const rgb = [colour.r, colour.g, colour.b].map((part) => 255 * part);
+  /** How many pixels have each of these colours of the palette. */
+  counts(names, box) {
     const data = probe.pixels(box);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) count += rgb.every((part, k) => Math.abs(data[i + k] - part) < 4);
-    return count;
+    return names.map((name) => {
+      const colour = new THREE.Color(page.palette[name]);
+      const [r, g, b] = [colour.r, colour.g, colour.b].map((part) => 255 * part);
+      const near = (i) => Math.abs(data[i] - r) < 4 && Math.abs(data[i + 1] - g) < 4 && Math.abs(data[i + 2] - b) < 4;
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) count += near(i);
+      return count;
+    });
   },
   /** Pixels that differ when something is hidden: how many, and the box around them. */
   difference(hide, show, box) {
@@ -192,11 +195,12 @@ def check_colours(tab, page):
                     "...Array.from({length: 23}, (_, i) => page.player.end * (i + 1) / 24)]")
     for theme in ("light", "dark"):
         tab.run(f"page.setTheme('{theme}')")
-        most = {}
+        names = ["known", "commit", "brake", "dropped", "seen"]
+        most = dict.fromkeys(names, 0)
         for time in times:
             tab.run(f"page.player.set({time})")
-            for name in ("known", "commit", "brake", "dropped", "seen"):
-                most[name] = max(most.get(name, 0), tab.run(f"probe.count('{name}', probe.cells()[0])"))
+            for name, count in zip(names, tab.run(f"probe.counts({names}, probe.cells()[0])")):
+                most[name] = max(most[name], count)
         print(f"{theme}: pixels of", most)
         check(all(count >= 20 for count in most.values()), f"{theme}: what has the colours of its key: {most}")
         key = tab.run("[...document.querySelectorAll('.swatch:not(.scale)')].map((one) => one.style.color).length")
