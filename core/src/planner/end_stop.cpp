@@ -57,7 +57,7 @@ bool begin_trial(const RoomProof& room, EndStop& stop) {
 /// A stop may use half of what a plan is granted, as the stages may: the plan goes on from its end, and is granted more
 /// only because a face of the boundary may have moved onto the lattice.
 Progress advance_trial(const RoomProof& room, EndStop& stop, Work& work) {
-  const double spare = larger(check_distance(room.grid), 2.0 * kLatticeTolerance * room.grid.spec().cell);
+  const double spare = larger(check_distance(room.grid), lattice_rounding(room.grid));
   const Progress progress = prove_room(room, spare, work);
   if (progress == Progress::kMore) return progress;
   stop.is_tried = false;

@@ -21,10 +21,6 @@ double grid_rounding(const Grid& grid) {
   return kUlp * (kGridUlps * extent_of(grid) + kOriginUlps * size_of(grid.spec().origin));
 }
 
-double lattice_rounding(const Grid& grid) {
-  return 2.0 * kLatticeTolerance * grid.spec().cell;
-}
-
 /// 2^k 7! / (7 - k)! / duration^k.
 double amplification(double duration, int order) {
   double factor = 1.0;
@@ -36,6 +32,10 @@ double amplification(double duration, int order) {
 
 double check_distance(const Grid& grid) noexcept {
   return kCheckDistance * larger(1.0, grid.spec().cell);
+}
+
+double lattice_rounding(const Grid& grid) noexcept {
+  return 2.0 * kLatticeTolerance * grid.spec().cell;
 }
 
 double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept {

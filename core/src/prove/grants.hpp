@@ -19,6 +19,8 @@ constexpr double kCheckDistance = 1e-9;
 
 /// kCheckDistance in metres, of this grid.
 double check_distance(const Grid& grid) noexcept;
+/// Metres by which putting a face of the boundary on the lattice may move what is compared with it.
+double lattice_rounding(const Grid& grid) noexcept;
 
 /// Relative excess over a limit: a stop may exceed a speed limit by kStopTolerance.
 constexpr double kCheckRelative = 3e-8;
