@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 from log_writers import ARDUPILOT, PX4, dataflash, ulog
+from script_run import expect
 
 sitl, folder = sys.argv[1:3]
 sys.path.insert(0, sitl)
@@ -23,11 +24,6 @@ def write(name, content):
     with open(path, "wb") as file:
         file.write(content)
     return path
-
-
-def expect(condition, what):
-    if not condition:
-        raise SystemExit(f"flight_report_test: {what}")
 
 
 def near(value, wanted, tolerance, what):

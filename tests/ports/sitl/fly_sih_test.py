@@ -5,9 +5,9 @@
 what it calls in what order, what it prints, and what it says when something is wrong."""
 import os
 import shutil
-import stat
-import subprocess
 import sys
+
+from script_run import expect, run, write
 
 script, folder = os.path.realpath(sys.argv[1]), os.path.realpath(sys.argv[2])
 here = os.path.dirname(os.path.realpath(__file__))
@@ -16,13 +16,6 @@ tree, tools, build = (os.path.join(folder, name) for name in ("PX4", "tools", "P
 for path in (tools, os.path.join(tree, "ROMFS"), os.path.join(tree, "src/modules/logger")):
     os.makedirs(path)
 COMMANDS = ["px4", "px4-param", "px4-commander", "px4-listener", "px4-shutdown", "px4-tern_offboard"]
-
-
-def write(path, text):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-    os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
-
 
 write(os.path.join(tree, "Makefile"), "")
 write(os.path.join(tools, "cmake"), f"#!/bin/sh\necho cmake \"$@\" >>{folder}/built\n")
@@ -38,18 +31,9 @@ for tool in ("g++", "ninja"):
     write(os.path.join(tools, tool), "#!/bin/sh\n")
 
 
-def expect(condition, what):
-    if not condition:
-        raise SystemExit(f"fly_sih_test: {what}")
-
-
 def fly(*arguments, wrong="", path=None):
-    environment = {**os.environ, "FAKE_PX4": wrong, "FAKE_PX4_WRITERS": here, "PYTHONDONTWRITEBYTECODE": "1",
-                   "PATH": path or tools + ":" + os.environ["PATH"]}
-    done = subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True, env=environment,
-                          cwd=folder, timeout=280, check=False)
-    expect("Traceback" not in done.stderr, done.stderr)
-    return done.returncode, done.stdout + done.stderr
+    return run(script, arguments, folder, path or tools + ":" + os.environ["PATH"],
+               {"FAKE_PX4": wrong, "FAKE_PX4_WRITERS": here})
 
 
 status, said = fly(tree, "--parameter", "MPC_XY_VEL_MAX=9")

@@ -7,27 +7,18 @@ simulated camera shows it."""
 import os
 import re
 import shutil
-import stat
-import subprocess
 import sys
 
 script, folder, copter, companion = map(os.path.realpath, sys.argv[1:5])
 here = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(os.path.dirname(script), "..", "sitl"))
 import mavlink  # noqa: E402
+from script_run import expect, run, write  # noqa: E402
 
 shutil.rmtree(folder, ignore_errors=True)
 tree, tools = os.path.join(folder, "ardupilot"), os.path.join(folder, "tools")
 for path in (tools, os.path.join(tree, "ArduCopter"), os.path.join(tree, "Tools/autotest/default_params")):
     os.makedirs(path)
-
-
-def write(path, text):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-    os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
-    return path
-
 
 write(os.path.join(tree, "Tools/autotest/default_params/copter.parm"), "FRAME_CLASS 1\n")
 write(os.path.join(tree, "waf"), f"""#!/bin/sh
@@ -49,18 +40,9 @@ v_horizontal 2
 """)
 
 
-def expect(condition, what):
-    if not condition:
-        raise SystemExit(f"fly_sitl_test: {what}")
-
-
 def fly(*arguments, wrong="", path=None):
-    environment = {**os.environ, "FAKE_WRONG": wrong, "FAKE_ARDUCOPTER": copter, "PYTHONDONTWRITEBYTECODE": "1",
-                   "PATH": path or tools + ":" + os.environ["PATH"]}
-    done = subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True, env=environment,
-                          cwd=folder, timeout=280, check=False)
-    expect("Traceback" not in done.stderr, done.stderr)
-    return done.returncode, done.stdout + done.stderr
+    return run(script, arguments, folder, path or tools + ":" + os.environ["PATH"],
+               {"FAKE_WRONG": wrong, "FAKE_ARDUCOPTER": copter})
 
 
 # The checksum of MAVLink's own documentation, and a frame that is spoilt.
