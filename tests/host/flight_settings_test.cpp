@@ -68,6 +68,25 @@ TEST(FlightSettings, RefuseFaultsThatCannotBe) {
   EXPECT_EQ(setting_refusal("goal_place=moon"), "goal_place is given, occupied or outside");
 }
 
+TEST(FlightSettings, ASensorHasAPlace) {
+  EXPECT_EQ(setting_refusal("sensor=sonar"), "sensor is camera, lidar or d435");
+  EXPECT_EQ(setting_refusal("mount=nose"), "mount is level or body");
+  EXPECT_EQ(setting_refusal("mount_offset=3,0,0"), "mount_offset 3 is not within -2 .. 2");
+  EXPECT_EQ(setting_refusal("mount_pitch=-90"), "mount_pitch -90 is not within -1.571 .. 1.571");
+  EXPECT_EQ(setting_refusal("gimbal_pitch=0.5,0.4"), "gimbal_pitch 0.4 is not within 0.5 .. 1.571");
+  EXPECT_EQ(setting_refusal("depth_error=0.03"), "'depth_error' needs two numbers, found 1");
+  EXPECT_EQ(setting_refusal("depth_error=0.03,0.005"), "");
+}
+
+TEST(FlightSettings, AD435IsFixedToTheBody) {
+  const tern_host::FlightSettings s = tern_host::flight_settings({"sensor=d435", "sensor_hz=30"});
+  EXPECT_EQ(s.sensor, "camera");
+  EXPECT_EQ(s.mount.kind, "body");
+  EXPECT_NEAR(s.fov_horizontal, 1.5184, 1e-4);
+  EXPECT_NEAR(s.fov_vertical, 1.0123, 1e-4);
+  EXPECT_EQ(s.sensor_hz, 30.0);
+}
+
 /// Why a world with these further lines is refused.
 std::string world_refusal(const std::string& lines) {
   const std::string path = tern_test::own_folder() + "tern_faulty_world.txt";

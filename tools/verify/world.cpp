@@ -25,11 +25,38 @@ const std::map<std::string, Rational> kDefaults = {
     {"tick_hz", 100}};
 
 /// Settings that change no proof.
-const std::set<std::string> kOthers = {
-    "depth_margin",   "window",       "sensor",   "scan_pixel",     "sensor_range", "sensor_fov", "sensor_size",
-    "sensor_hz",      "dropout",      "outliers", "sensor_latency", "depth_noise",  "hits",       "support",
-    "yaw_rate",       "yaw",          "wind",     "speckle_filter", "time_limit",   "seed",       "yaw_acceleration",
-    "goal_tolerance", "work_per_tick"};
+const std::set<std::string> kOthers = {"yaw",
+                                       "hits",
+                                       "wind",
+                                       "seed",
+                                       "mount",
+                                       "holes",
+                                       "window",
+                                       "sensor",
+                                       "dropout",
+                                       "support",
+                                       "outliers",
+                                       "yaw_rate",
+                                       "sensor_hz",
+                                       "scan_pixel",
+                                       "sensor_fov",
+                                       "time_limit",
+                                       "sensor_min",
+                                       "sensor_far",
+                                       "pixel_part",
+                                       "sensor_size",
+                                       "depth_noise",
+                                       "mount_pitch",
+                                       "depth_error",
+                                       "depth_margin",
+                                       "sensor_range",
+                                       "mount_offset",
+                                       "gimbal_pitch",
+                                       "work_per_tick",
+                                       "sensor_latency",
+                                       "speckle_filter",
+                                       "goal_tolerance",
+                                       "yaw_acceleration"};
 
 Solid cylinder_from(const Record& record) {
   const std::vector<Rational> v = record.numbers(1, 5);

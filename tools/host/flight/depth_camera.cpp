@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "host/flight/face_image.hpp"
 #include "host/flight/pixel_columns.hpp"
 #include "host/flight/speckle_filter.hpp"
+#include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
 namespace {
@@ -20,16 +22,9 @@ tern::DepthView view_of(const FlightSettings& s, const float* depths) {
   view.cx = 0.5 * (s.width - 1);
   view.cy = 0.5 * (s.height - 1);
   view.scale = 1.0;
-  view.min = 0.1;
+  view.min = s.sensor_min;
   view.max = 1000.0;
   return view;
-}
-
-/// From the camera's axes (right, down, ahead) to the world's.
-tern::Pose pose_of(const tern::Vec3& eye, double yaw) {
-  const double w = std::cos(0.5 * yaw);
-  const double z = std::sin(0.5 * yaw);
-  return {eye, {0.5 * (w + z), -0.5 * (w + z), 0.5 * (w - z), 0.5 * (z - w)}};
 }
 
 /// The borders between pixels, from the first one's to the last one's, in metres aside for each metre ahead.
@@ -39,31 +34,72 @@ std::vector<double> borders(int pixels, double center, double focal) {
   return at;
 }
 
+/// What a pixel measures where `depth` is.
+double measured(double depth, const FlightSettings& s, Noise& noise) {
+  if (s.depth_noise > 0.0) depth *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
+  if (s.depth_error.at(depth) > 0.0) depth += noise.within(-s.depth_error.at(depth), s.depth_error.at(depth));
+  if (s.outliers > 0.0 && noise.chance(s.outliers)) depth = noise.within(kNearestOutlier, kFarther * s.sensor_range);
+  return s.sensor_far > 0.0 && depth > s.sensor_far ? 0.0 : depth;
+}
+
+/// The largest error of the farthest depth, metres a metre.
+double relative_error(const FlightSettings& s) {
+  return s.depth_noise + s.depth_error.at(s.sensor_range) / s.sensor_range;
+}
+
+/// Round patches without depth, as a stereo camera has them where it finds nothing to compare.
+void punch_holes(const FlightSettings& s, Noise& noise, std::vector<float>& depths) {
+  constexpr double kRadius = 0.03;  // of the image's width
+  const double radius = kRadius * s.width;
+  const int count = static_cast<int>(std::lround(s.holes * s.width * s.height / (0.5 * kTurn * radius * radius)));
+  for (int k = 0; k < count; ++k) {
+    const double at_u = noise.within(0.0, s.width);
+    const double at_v = noise.within(0.0, s.height);
+    for (int v = 0; v < s.height; ++v) {
+      for (int u = 0; u < s.width; ++u) {
+        if (std::hypot(u - at_u, v - at_v) < radius) depths[static_cast<std::size_t>(v * s.width + u)] = 0.0f;
+      }
+    }
+  }
+}
+
+/// An image with a depth for each pixel, row by row, and the camera's errors.
+template <typename DepthOf>
+DepthFrame frame_of(const FlightSettings& s, const tern::Pose& camera, std::int64_t t, Noise& noise, DepthOf depth_of) {
+  DepthFrame frame;
+  frame.depths.resize(static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
+  frame.view = view_of(s, frame.depths.data());
+  frame.pose = camera;
+  frame.taken = t;
+  std::size_t pixel = 0;
+  for (int v = 0; v < s.height; ++v) {
+    for (int u = 0; u < s.width; ++u, ++pixel) {
+      frame.depths[pixel] = static_cast<float>(measured(depth_of(u, v), s, noise));
+    }
+  }
+  if (s.holes > 0.0) punch_holes(s, noise, frame.depths);
+  if (s.speckle_filter > 0) filter_speckle(frame.depths, s.width, s.height, relative_error(s));
+  return frame;
+}
+
 }  // namespace
 
 DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double yaw, std::int64_t t, Noise& noise) {
   const FlightSettings& s = world.settings;
-  DepthFrame frame;
-  frame.depths.resize(static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
-  frame.view = view_of(s, frame.depths.data());
-  frame.pose = pose_of(eye, yaw);
-  frame.taken = t;
-  const double far = kFarther * s.sensor_range;
-  const tern::DepthView& view = frame.view;
-  const PixelColumns columns(world, eye, yaw, far, borders(s.width, view.cx, view.fx));
+  const tern::DepthView view = view_of(s, nullptr);
+  const PixelColumns columns(world, eye, yaw, kFarther * s.sensor_range, borders(s.width, view.cx, view.fx));
   const std::vector<double> downs = borders(s.height, view.cy, view.fy);
-  std::size_t pixel = 0;
-  for (int v = 0; v < s.height; ++v) {
-    for (int u = 0; u < s.width; ++u, ++pixel) {
-      const auto row = static_cast<std::size_t>(v);
-      double depth = columns.depth(u, downs[row], downs[row + 1]);
-      if (s.depth_noise > 0.0) depth *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
-      if (s.outliers > 0.0 && noise.chance(s.outliers)) depth = noise.within(kNearestOutlier, far);
-      frame.depths[pixel] = static_cast<float>(depth);
-    }
-  }
-  if (s.speckle_filter > 0) filter_speckle(frame.depths, s.width, s.height, s.depth_noise);
-  return frame;
+  return frame_of(s, camera_pose({}, eye, level_attitude(yaw), 0.0), t, noise, [&](int u, int v) {
+    const auto row = static_cast<std::size_t>(v);
+    return columns.depth(u, downs[row], downs[row + 1]);
+  });
+}
+
+DepthFrame take_frame(const FlightWorld& world, const tern::Pose& camera, std::int64_t t, Noise& noise) {
+  const FlightSettings& s = world.settings;
+  const double far = kFarther * s.sensor_range;
+  const std::vector<double> depths = depths_of_faces(world, camera, view_of(s, nullptr), far, s.pixel_part);
+  return frame_of(s, camera, t, noise, [&](int u, int v) { return depths[static_cast<std::size_t>(v * s.width + u)]; });
 }
 
 }  // namespace tern_host

@@ -20,9 +20,12 @@ struct DepthFrame {
   std::int64_t taken = 0;
 };
 
-/// What a level camera at `eye` sees that looks along `yaw`, with noise and outliers. A pixel has the depth of the
-/// nearest thing in its whole area, as the map demands.
+/// What a level camera at `eye` sees that looks along `yaw`, with its errors. A pixel has the depth of the nearest
+/// thing in its whole area, as the map demands.
 DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double yaw, std::int64_t t, Noise& noise);
+
+/// The same of a camera with any pose, whose pixels see `pixel_part` of their area.
+DepthFrame take_frame(const FlightWorld& world, const tern::Pose& camera, std::int64_t t, Noise& noise);
 
 }  // namespace tern_host
 

@@ -8,6 +8,7 @@
 #include "host/flight/fault_records.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/full_knowledge.hpp"
+#include "host/flight/sensor_records.hpp"
 #include "host/flight/setting_readers.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/map/map_warnings.hpp"
@@ -20,51 +21,9 @@
 namespace tern_host {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-constexpr Range kFov{0.174, 2.62};
-/// The horizontal field of view of what sees all around, with room for 6.2832.
-constexpr double kAllAround = 360.0 * kDegree;
-constexpr double kReadRounding = 1e-3;
-
-[[noreturn]] void throw_fov(double horizontal, double vertical, const Place& place) {
-  std::string text = "sensor_fov " + brief(horizontal) + " " + brief(vertical) + ": both are in rad, " +
-                     brief(kFov.least) + " to " + brief(kFov.most) +
-                     "; with sensor lidar, the first may also be 6.2832";
-  if (horizontal > kAllAround + kReadRounding || vertical > kAllAround + kReadRounding) {
-    text += "; if that is in degrees, write " + fixed(kDegree * horizontal, 4) + " " + fixed(kDegree * vertical, 4);
-  }
-  throw RecordError(place, text);
-}
-
-/// Whether a whole turn fits depends on the sensor, whose record may come later: check_fov.
-void set_fov(FlightSettings& s, const Words& words, const Place& place) {
-  const std::vector<double> values = two_numbers(words, place);
-  const bool sees_all = std::fabs(values[0] - kAllAround) <= kReadRounding;
-  if (!(sees_all || holds(kFov, values[0])) || !holds(kFov, values[1])) throw_fov(values[0], values[1], place);
-  s.fov_horizontal = sees_all ? kAllAround : values[0];
-  s.fov_vertical = values[1];
-}
-
-void check_fov(const FlightSettings& s, const Place& place) {
-  if (s.sensor != "lidar" && !holds(kFov, s.fov_horizontal)) throw_fov(s.fov_horizontal, s.fov_vertical, place);
-}
-
-void set_size(FlightSettings& s, const Words& words, const Place& place) {
-  const std::vector<double> values = two_numbers(words, place);
-  s.width = static_cast<int>(whole_within(words[0], values[0], {8.0, 1000.0}, place));
-  s.height = static_cast<int>(whole_within(words[0], values[1], {8.0, 1000.0}, place));
-}
-
 void set_window(FlightSettings& s, const Words& words, const Place& place) {
   s.window = vector(words, place);
   if (!(s.window.x > 0.0 && s.window.y > 0.0 && s.window.z > 0.0)) throw RecordError(place, "window: not positive");
-}
-
-void set_sensor(FlightSettings& s, const Words& words, const Place& place) {
-  if (words.size() != 2 || (words[1] != "camera" && words[1] != "lidar")) {
-    throw RecordError(place, "sensor is camera or lidar");
-  }
-  s.sensor = words[1];
 }
 
 void set_tracking(FlightSettings& s, const Words& words, const Place& place) {
@@ -107,13 +66,6 @@ Setters all_setters() {
                  {"pose_margin", real(&S::pose_margin, 0.0, 10.0)},
                  {"depth_margin", real(&S::depth_margin, 0.0, 10.0)},
                  {"cell", real(&S::cell, 0.01, 10.0)},
-                 {"sensor_range", real(&S::sensor_range, 0.5, 1000.0)},
-                 {"sensor_hz", real(&S::sensor_hz, 0.1, 1000.0)},
-                 {"sensor_latency", real(&S::sensor_latency, 0.0, 10.0)},
-                 {"depth_noise", real(&S::depth_noise, 0.0, 0.5)},
-                 {"dropout", real(&S::dropout, 0.0, 1.0)},
-                 {"outliers", real(&S::outliers, 0.0, 1.0)},
-                 {"speckle_filter", whole(&S::speckle_filter, 0.0, 1.0)},
                  {"hits", whole(&S::hits, 1.0, 4.0)},
                  {"support", whole(&S::support, 0.0, 8.0)},
                  {"v_max", real(&S::v_max, 0.01, 100.0)},
@@ -132,16 +84,13 @@ Setters all_setters() {
                  {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
                  {"time_limit", real(&S::time_limit, 0.1, kLongestFlight)},
                  {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
-                 {"sensor", set_sensor},
-                 {"scan_pixel", real(&S::scan_pixel, 0.01, 0.2)},
-                 {"sensor_fov", set_fov},
-                 {"sensor_size", set_size},
                  {"window", set_window},
                  {"tracking", set_tracking},
                  {"seed", [](S& s, const Words& words, const Place& place) {
                     s.seed = static_cast<std::uint64_t>(whole_number_within(words, {0.0, 9e15}, place));
                   }}};
   add_air_setters(all);
+  add_sensor_setters(all);
   add_fault_setters(all);
   return all;
 }

@@ -33,7 +33,8 @@ tern::MapSpec map_spec_of(const FlightWorld& world) {
   tern::MapSpec spec = tern::map_spec(origin, s.cell, dims, s.body_radius + s.pose_margin);
   spec.tracking_margin = s.tracking_margin;
   spec.range = s.sensor_range;
-  spec.depth_margin = s.depth_margin + s.depth_noise * s.sensor_range;
+  spec.depth_margin = s.depth_margin + s.depth_noise * s.sensor_range + s.depth_error.base;
+  spec.depth_margin_square = s.depth_error.square;
   spec.pose_margin = s.pose_margin;
   spec.hits = s.hits;
   spec.support = s.support;

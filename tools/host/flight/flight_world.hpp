@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/fence_record.hpp"
+#include "host/flight/sensor_mount.hpp"
 #include "host/vehicle/air.hpp"
 #include "host/vehicle/pose_error.hpp"
 #include "tern/flight.hpp"
@@ -44,6 +45,14 @@ struct AppearAhead {
   double distance = 0.0;  ///< metres of way; 0: none appears
 };
 
+/// The largest error of a depth z: base + square * z * z. Metres, and 1 / metre.
+struct DepthError {
+  double base = 0.0;
+  double square = 0.0;
+
+  double at(double depth) const { return base + square * depth * depth; }
+};
+
 /// One record each in a world's file, and a key of `--set`. SI units, angles in rad.
 struct FlightSettings {
   double body_radius = 0.25;
@@ -55,13 +64,19 @@ struct FlightSettings {
   std::string sensor = "camera";  ///< or lidar
   double scan_pixel = 0.04;       ///< as MapSpec::scan_pixel, for the lidar
   double sensor_range = 10.0;
+  double sensor_min = 0.1;                     ///< nearest depth that the camera measures
+  double sensor_far = 0.0;                     ///< farther things give the camera no depth; 0: all do
   double fov_horizontal = 1.5707963267948966;  ///< of the camera; the lidar sees all around, and may say 2 pi
   double fov_vertical = 1.2915436464758039;
   int width = 160;
   int height = 120;
   double sensor_hz = 30.0;
   double sensor_latency = 0.033;
+  SensorMount mount;         ///< of the camera
+  double pixel_part = 1.0;   ///< how much of a pixel's width and height the camera sees: as depths_of_faces()
   double depth_noise = 0.0;  ///< largest error, metres a metre of depth
+  DepthError depth_error;    ///< and what comes on top
+  double holes = 0.0;        ///< part of the camera's image that has no depth, in round patches
   double dropout = 0.0;      ///< part of the frames that are lost
   double outliers = 0.0;     ///< part of the pixels with a random depth
   int hits = 0;              ///< as MapSpec::hits; 0 in a file that does not say: 2 with outliers, unfiltered, else 1

@@ -21,12 +21,12 @@ Sensor::Sensor(const FlightWorld& world, const FlightWorld& still_world, const t
                tern::RollingMap& map, Noise& noise, FlightTape& tape)
     : world_(world), map_(map), noise_(noise), tape_(tape), watch_(still_world, spec, map) {}
 
-void Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw) {
+void Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {
   const FlightSettings& s = world_.settings;
   const double seconds = 1e-9 * static_cast<double>(t);
   if (seconds >= s.frames_until || static_cast<double>(taken_) > seconds * s.sensor_hz) return;
   ++taken_;
-  if (!noise_.chance(s.dropout)) waiting_.push_back(frame(t, vehicle, yaw));
+  if (!noise_.chance(s.dropout)) waiting_.push_back(frame(t, vehicle, yaw, pitch));
 }
 
 void Sensor::deliver(std::int64_t t) {
@@ -49,10 +49,15 @@ void Sensor::deliver(std::int64_t t) {
 }
 
 /// The image is of what is, the pose what the vehicle believes.
-Sensor::Frame Sensor::frame(std::int64_t t, const Vehicle& vehicle, double yaw) {
-  if (world_.settings.sensor == "lidar") return take_scan(world_, vehicle.position(), vehicle.estimate(), t, noise_);
-  DepthFrame image = take_frame(world_, vehicle.position(), yaw, t, noise_);
-  image.pose.position = vehicle.estimate();
+Sensor::Frame Sensor::frame(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {
+  const FlightSettings& s = world_.settings;
+  if (s.sensor == "lidar") return take_scan(world_, vehicle.position(), vehicle.estimate(), t, noise_);
+  const std::array<double, 4> attitude = s.mount.kind == "body" ? vehicle.attitude() : level_attitude(yaw);
+  const bool is_plain = s.mount.is_plain() && s.pixel_part >= 1.0;
+  DepthFrame image = is_plain
+                         ? take_frame(world_, vehicle.position(), yaw, t, noise_)
+                         : take_frame(world_, camera_pose(s.mount, vehicle.position(), attitude, pitch), t, noise_);
+  image.pose.position = camera_pose(s.mount, vehicle.estimate(), attitude, pitch).position;
   return image;
 }
 

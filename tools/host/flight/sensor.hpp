@@ -27,8 +27,8 @@ class Sensor {
   Sensor(const FlightWorld& world, const FlightWorld& still_world, const tern::MapSpec& spec, tern::RollingMap& map,
          Noise& noise, FlightTape& tape);
 
-  /// To be called at every tick. `yaw`: where the camera looks, rad.
-  void take(std::int64_t t, const Vehicle& vehicle, double yaw);
+  /// To be called at every tick. `yaw`: where the camera looks, and `pitch`: how far a gimbal pitches it up, rad.
+  void take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);
   /// Enters what has arrived, if the map is ready: to be called before every tick that is done.
   void deliver(std::int64_t t);
   const FrameWatch& watch() const { return watch_; }
@@ -38,7 +38,7 @@ class Sensor {
  private:
   using Frame = std::variant<DepthFrame, LidarScan>;
 
-  Frame frame(std::int64_t t, const Vehicle& vehicle, double yaw);
+  Frame frame(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);
   void enter(const DepthFrame& frame);
   void enter(const LidarScan& scan);
 

@@ -153,13 +153,13 @@ class Simulation {
 
   FlightEnding tick() {
     faults_.appear(time_, commands_.at);
-    sensor_.take(time_, *vehicle_, yaw());
+    sensor_.take(time_, *vehicle_, yaw(), gimbal_.pitch());
     const bool skipped = faults_.skips_tick();
     if (!skipped) do_tick();
     const tern::Command command = flight_.command(time_);
     recorder_.note(time_, command, *vehicle_, yaw(), report_, skipped);
     if (onlooker_) tell(command);
-    if (!plans_yaw_) gimbal_.turn_to(command);
+    gimbal_.turn_to(command);
     if (report_.waits_for_nose) ++view_waits_;
     if (errors().pose_exceeded()) forget_world();
     if (touches()) return contact();
@@ -253,7 +253,7 @@ class Simulation {
       }
       search.at(*vehicle_, recorder_.clearance_now());
     }
-    if (!plans_yaw_) gimbal_.move_on();
+    gimbal_.move_on();
     time_ = next;
     return {};
   }
