@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kSetpointPeriod = kSecond / 50;
 constexpr std::int64_t kHeartbeatLost = 3 * kSecond, kFramesLost = kSecond, kPoseLost = kSecond / 2;
-constexpr std::int64_t kRestFor = kSecond / 2, kRetry = kSecond, kHoverAtEnd = kSecond;
+constexpr std::int64_t kRestFor = kSecond / 2, kRetry = kSecond, kHoverAtEnd = kSecond, kSave = kSecond / 2;
 constexpr double kRestSpeed = 0.3;  // m/s
 
 constexpr char kNoFramesText[] = "no frames of depth come: it stays in what it has seen";
@@ -34,6 +34,7 @@ Companion::Companion(const CompanionSettings& settings, Outputs outputs)
           settings.system, outputs_.send, outputs_.say,
           [this](const AutopilotState& state) { onboard_.add_pose(state.pose, state.estimate_at, state.resets); }),
       onboard_(settings.onboard),
+      record_(onboard_, settings.record),
       sensors_(onboard_),
       mission_(settings.mission) {
   onboard_.set_following(false);
@@ -129,6 +130,10 @@ void Companion::tick(std::int64_t now) {
   steer(now);
   onboard_.tick(now);
   relay_notices();
+  if (now >= save_at_) {
+    save();
+    save_at_ = now + kSave;
+  }
   const tern_onboard::Status status = onboard_.status(now);
   tell_of_map(status);
   if (now >= setpoint_due_) {
@@ -171,6 +176,11 @@ void Companion::begin(std::int64_t now) {
   new_goal_ = new_goal_ && !answer.ok;
   retry_at_ = now + kRetry;
   if (!answer.ok) say_once(answer.text);
+}
+
+void Companion::save() {
+  const std::string fault = record_.save();
+  if (!fault.empty()) outputs_.say(fault);
 }
 
 void Companion::relay_notices() {

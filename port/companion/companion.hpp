@@ -18,6 +18,7 @@
 #include "companion/goals.hpp"
 #include "companion/sensor_table.hpp"
 #include "tern_onboard/onboard.hpp"
+#include "tern_onboard/record_files.hpp"
 
 namespace tern_companion {
 
@@ -25,6 +26,7 @@ struct CompanionSettings {
   tern_onboard::Settings onboard;
   std::uint8_t system = 0;         ///< of the autopilot; 0: the first one that is heard
   std::vector<tern::Via> mission;  ///< its last point is the goal; empty: a ground station says where to
+  std::string record;              ///< folder for the records of flights; empty: none
   bool asks_for_mode = false;      ///< it asks for the mode itself, once all is ready
   bool ends_at_goal = false;       ///< the program ends a second after the arrival
 };
@@ -53,6 +55,8 @@ class Companion {
   void end() { ending_ = true; }
   /// Set once the program is to end: its exit status.
   const std::optional<int>& outcome() const { return outcome_; }
+  /// Writes what was recorded to the flight's file.
+  void save();
   /// What was flown, and how old images were.
   std::string summary(std::int64_t now) const;
 
@@ -77,6 +81,7 @@ class Companion {
   Outputs outputs_;
   Autopilot autopilot_;
   tern_onboard::Onboard onboard_;
+  tern_onboard::RecordFiles record_;
   SensorTable sensors_;
   FrameReader reader_;
   std::vector<tern::Via> mission_;  // what is to be flown
@@ -84,7 +89,7 @@ class Companion {
   std::set<std::string> said_;
   std::optional<int> outcome_;
   std::int64_t frame_at_ = 0, moved_at_ = 0, setpoint_due_ = 0, retry_at_ = 0, arrived_at_ = 0, ended_at_ = 0,
-               mode_due_ = 0;
+               mode_due_ = 0, save_at_ = 0;
   bool begun_ = false, ending_ = false, paused_ = false, map_stale_ = false;
   bool new_goal_ = false;  // one came since the flight was given up
   std::uint64_t setpoints_ = 0;

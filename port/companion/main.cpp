@@ -59,6 +59,7 @@ class Program {
       depth_.read();
       if (!lockstep_) companion_.tick(now());
     }
+    companion_.save();
     say(companion_.summary(now()));
     return *companion_.outcome();
   }

@@ -62,6 +62,8 @@ bool read_options(int argc, char** argv, Options& options, int& status) {
   app.add_option("--mission", mission, "a file of points")->excludes("--goal");
   app.add_option("--parameters", parameters, "a file of NAME = VALUE lines");
   app.add_option("--set", settings, "NAME=VALUE, after the file; may be repeated");
+  app.add_option("--record", options.companion.record,
+                 "a folder, for a record of each flight: tern replay flies it again");
   app.add_option("--system", options.companion.system, "of the autopilot; 0: the first one that is heard");
   app.add_flag("--switch-mode", options.companion.asks_for_mode, "ask for offboard or guided, once all is ready");
   app.add_flag("--end-at-goal", options.companion.ends_at_goal, "end a second after the arrival");

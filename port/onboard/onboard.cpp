@@ -71,7 +71,8 @@ void Onboard::try_settings() {
   const tern::Vec3 position{0.0, 0.0, std::min(std::max(lowest, 0.0), settings_.fly.ceiling)};
   tern::FlightRefusal refusal;
   const tern::Status begun = start_flight(position, 0, &refusal);
-  const tern::Status turned = begun == tern::Status::kOk ? wish_.send_yaw(flight_, 0.0, {}) : begun;
+  const tern::Status turned =
+      begun == tern::Status::kOk ? wish_.send_yaw(flight_, recording_.recorder(), 0.0, {}) : begun;
   flight_ = tern::Flight();
   if (turned == tern::Status::kOk) return;
   throw std::invalid_argument(std::string("the parameters make no flight: ") + tern::status_name(turned) + ", " +
@@ -82,10 +83,18 @@ tern::Status Onboard::start_flight(const tern::Vec3& position, std::int64_t now,
   map_spec_.origin = minus(position, times(settings_.map.window, 0.5));
   const tern::Status bound = map_.bind(map_spec_, map_words_.data(), map_words_.size(), &refusal->field);
   if (bound != tern::Status::kOk) return bound;
-  map_.assume_free(position, settings_.map.free_radius);
+  recording_.begin(now);
+  tern::FlightRecorder& record = recording_.recorder();
+  record.bind(map_spec_, bound);
+  const double free = settings_.map.free_radius;
+  record.assume_free(position, free, map_.assume_free(position, free));
   known_marked_ = 0;
   mark_known();
-  return flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), position, now, refusal);
+  const tern::Status begun =
+      flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), position, now, refusal);
+  record.start(spec_, position, now, begun);
+  if (begun != tern::Status::kOk) recording_.cancel();
+  return begun;
 }
 
 void Onboard::mark_known() {
@@ -93,7 +102,7 @@ void Onboard::mark_known() {
   std::vector<tern::Vec3> points(known_points_.begin() + static_cast<std::ptrdiff_t>(known_marked_),
                                  known_points_.end());
   for (tern::Vec3& point : points) point = minus(point, poses_.offset());
-  map_.mark_points(points.data(), points.size());
+  recording_.recorder().mark_points(points.data(), points.size(), map_.mark_points(points.data(), points.size()));
   known_marked_ = known_points_.size();
 }
 
@@ -188,7 +197,7 @@ Answer Onboard::begin_at(const StampedPose& start, std::int64_t now) {
     }
     return {false, text};
   }
-  wish_.send_yaw(flight_, heading_of(start.pose.quaternion), {});
+  wish_.send_yaw(flight_, recording_.recorder(), heading_of(start.pose.quaternion), {});
   sensors_.restart();
   time_ = now;
   flown_count_ = 0;
@@ -218,7 +227,7 @@ void Onboard::set_following(bool following) {
 
 Answer Onboard::send_wish() {
   const auto done = static_cast<std::size_t>(std::max(0, status_.report.leg));
-  const tern::Status sent = wish_.send(flight_, done, poses_.offset());
+  const tern::Status sent = wish_.send(flight_, recording_.recorder(), done, poses_.offset());
   status_.report.leg = 0;
   if (sent == tern::Status::kOk) return {true, "it is taken over at the next tick"};
   notices_.count(Fault::kRefused);
@@ -253,7 +262,7 @@ Answer Onboard::stop() {
   const std::lock_guard lock(mutex_);
   wish_.clear();
   if (status_.state != State::kFlying) return {true, "there is no flight to stop"};
-  flight_.stop();
+  recording_.recorder().stop(flight_.stop());
   return {true, "the vehicle brakes and forgets its goal"};
 }
 
@@ -264,8 +273,18 @@ Answer Onboard::set_yaw(tern::FlightYawMode mode, const tern::Vec3& point, doubl
     return {false, "the yaw is refused: it must be unseen, motion, point or heading, with finite numbers"};
   }
   wish_.set_yaw(mode, point, heading);
-  if (status_.state == State::kFlying) wish_.send_yaw(flight_, 0.0, poses_.offset());
+  if (status_.state == State::kFlying) wish_.send_yaw(flight_, recording_.recorder(), 0.0, poses_.offset());
   return {true, "it is taken over at the next tick"};
+}
+
+void Onboard::record_flights(std::size_t room) {
+  const std::lock_guard lock(mutex_);
+  recording_.turn_on(room);
+}
+
+std::vector<RecordPart> Onboard::take_record() {
+  const std::lock_guard lock(mutex_);
+  return recording_.take();
 }
 
 std::vector<Notice> Onboard::take_notices() {

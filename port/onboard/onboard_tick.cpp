@@ -52,17 +52,25 @@ FrameAges Onboard::frame_ages() const {
 }
 
 void Onboard::one_tick() {
-  if (!map_.busy()) sensors_.enter(map_, poses_, time_, notices_);
+  if (!map_.busy()) sensors_.enter(map_, recording_.recorder(), poses_, time_, notices_);
   mark_known();
   const tern::FlightReport before = status_.report;
-  flight_.tick(time_, status_.report);
+  record_tick(flight_.tick(time_, status_.report));
   ++status_.ticks;
   keep_corridor(before);
   flown_[flown_count_++ % flown_.size()] = {time_, flight_.command(time_).sample.position};
 }
 
+void Onboard::record_tick(tern::Status answer) {
+  if (recording_.recorder().tick(flight_, time_, status_.report, answer) != tern::Status::kRecordFull) return;
+  recording_.end();
+  notices_.say(
+      "the record of this flight ends here: it was not saved for so long that its room is full. Save it more "
+      "often; a ROS node does so at display_rate");
+}
+
 void Onboard::set_back(std::int64_t now) {
-  flight_.set_clock(now);
+  recording_.recorder().set_clock(now, flight_.set_clock(now));
   time_ = now - spec_.tick;
   poses_.clear();
   pose_stamp_ = now;
@@ -79,7 +87,7 @@ void Onboard::watch_poses(std::int64_t now) {
   if (lost && !pose_lost_) {
     notices_.bad(Fault::kPoseLost, kNobody, now,
                  flies ? "no poses come: the vehicle brakes until there are some" : "no poses come");
-    if (flies) flight_.stop();
+    if (flies) recording_.recorder().stop(flight_.stop());
     if (status_.state == State::kReady) status_.state = State::kNoPose;
   }
   if (!lost) notices_.good(Fault::kPoseLost, Fault::kPoseLost, kNobody, now, "poses come again");
@@ -104,8 +112,11 @@ tern::Vec3 Onboard::commanded(std::int64_t t) const {
 
 void Onboard::watch_stray(const StampedPose& pose, std::int64_t now) {
   if (status_.state != State::kFlying) return;
-  if (settings_.watch.slow_when_straying) flight_.note_position(pose.pose.position, pose.stamp);
-  status_.stray = length(minus(pose.pose.position, commanded(pose.stamp)));
+  const tern::Vec3& position = pose.pose.position;
+  if (settings_.watch.slow_when_straying) {
+    recording_.recorder().note_position(position, pose.stamp, flight_.note_position(position, pose.stamp));
+  }
+  status_.stray = length(minus(position, commanded(pose.stamp)));
   status_.stray_max = std::max(status_.stray_max, status_.stray);
   if (status_.stray > settings_.watch.stray) {
     return lose(

@@ -171,14 +171,15 @@ int Sensors::next(const Poses& poses, std::int64_t now, Notices& notices, tern::
   return best;
 }
 
-void Sensors::enter(tern::RollingMap& map, const Poses& poses, std::int64_t now, Notices& notices) {
+void Sensors::enter(tern::RollingMap& map, tern::FlightRecorder& record, const Poses& poses, std::int64_t now,
+                    Notices& notices) {
   tern::Pose body{};
   const int index = next(poses, now, notices, body);
   if (index < 0) return;
   Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
   std::swap(in_work_, sensor.frame);
   in_work_.waits = sensor.frame.waits = false;
-  const tern::Status begun = begin(map, sensor, body);
+  const tern::Status begun = begin(map, record, sensor, body);
   if (begun != tern::Status::kRunning) {
     notices.bad(
         Fault::kFrameRefused, index, now,
@@ -195,7 +196,8 @@ void Sensors::enter(tern::RollingMap& map, const Poses& poses, std::int64_t now,
 
 /// The map wants times that do not fall, and sensors have different delays: a frame that is older than the last one is
 /// entered with that one's time. Times matter to the map only where what was seen ages.
-tern::Status Sensors::begin(tern::RollingMap& map, Sensor& sensor, const tern::Pose& body) {
+tern::Status Sensors::begin(tern::RollingMap& map, tern::FlightRecorder& record, Sensor& sensor,
+                            const tern::Pose& body) {
   const std::int64_t t = any_entered_ ? std::max(entered_, in_work_.stamp) : in_work_.stamp;
   const tern::Pose eye = compose(body, sensor.in_body);
   if (sensor.spec.kind == SensorKind::kPoints) {
@@ -207,9 +209,11 @@ tern::Status Sensors::begin(tern::RollingMap& map, Sensor& sensor, const tern::P
       ranges_.push_back(static_cast<float>(length(point)));
     }
     const double least = sensor.spec.settings.least;
-    return map.begin_scan(
-        tern::Beams{directions_.data(), ranges_.data(), ranges_.size(), least, std::numeric_limits<double>::infinity()},
-        eye.position, t);
+    const tern::Beams beams{directions_.data(), ranges_.data(), ranges_.size(), least,
+                            std::numeric_limits<double>::infinity()};
+    const tern::Status begun = map.begin_scan(beams, eye.position, t);
+    record.scan(beams, eye.position, t, begun);
+    return begun;
   }
   const Lens& lens = sensor.lens;
   const double b = sensor.binning;
@@ -224,7 +228,9 @@ tern::Status Sensors::begin(tern::RollingMap& map, Sensor& sensor, const tern::P
   view.scale = 1.0;
   view.min = 0.0;
   view.max = std::numeric_limits<float>::max();
-  return map.begin_frame(view, eye, t);
+  const tern::Status begun = map.begin_frame(view, eye, t);
+  record.frame(view, eye, t, begun);
+  return begun;
 }
 
 void Sensors::restart() {

@@ -32,12 +32,16 @@ void Wish::set_mission(const std::vector<tern::Via>& points, tern::ViaPolicy pol
   policy_ = policy;
 }
 
-tern::Status Wish::send(tern::Flight& flight, std::size_t done, const tern::Vec3& offset) {
+tern::Status Wish::send(tern::Flight& flight, tern::FlightRecorder& record, std::size_t done,
+                        const tern::Vec3& offset) {
   if (points_.empty()) return tern::Status::kOk;
   points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(std::min(done, points_.size() - 1)));
   std::vector<tern::Via> moved = points_;
   for (tern::Via& via : moved) via.position = minus(via.position, offset);
-  return flight.set_mission(moved.data(), static_cast<std::int32_t>(moved.size()), policy_);
+  const auto count = static_cast<std::int32_t>(moved.size());
+  const tern::Status answer = flight.set_mission(moved.data(), count, policy_);
+  record.set_mission(moved.data(), count, policy_, answer);
+  return answer;
 }
 
 void Wish::set_yaw(tern::FlightYawMode mode, const tern::Vec3& point, double heading) {
@@ -46,11 +50,14 @@ void Wish::set_yaw(tern::FlightYawMode mode, const tern::Vec3& point, double hea
   yaw_.heading = {std::cos(heading), std::sin(heading)};
 }
 
-tern::Status Wish::send_yaw(tern::Flight& flight, double start, const tern::Vec3& offset) const {
+tern::Status Wish::send_yaw(tern::Flight& flight, tern::FlightRecorder& record, double start,
+                            const tern::Vec3& offset) const {
   tern::FlightYaw yaw = yaw_;
   yaw.start = {std::cos(start), std::sin(start)};
   yaw.point = minus(yaw_.point, offset);
-  return flight.set_yaw(yaw);
+  const tern::Status answer = flight.set_yaw(yaw);
+  record.set_yaw(yaw, answer);
+  return answer;
 }
 
 }  // namespace tern_onboard

@@ -51,7 +51,7 @@ class Room {
     sensors.offer(camera, image, now, notices);
   }
   void enter() {
-    sensors.enter(map, poses, now, notices);
+    sensors.enter(map, record, poses, now, notices);
     while (map.step(100000) == tern::Status::kRunning) {
     }
   }
@@ -64,6 +64,7 @@ class Room {
   Poses poses{tern_onboard::WatchSettings{}};
   Sensors sensors;
   tern::RollingMap map;
+  tern::FlightRecorder record;  // not begun: it records nothing
 
  private:
   static tern::Voxel voxel(double x, double y) {

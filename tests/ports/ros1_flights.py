@@ -8,11 +8,12 @@ sensors and judges contact.
                   [--sensors camera|cameras|lidar|both] [--spoilt 0.05] [--jump 1.0] [--least-reached SHARE] [--bags]
                   [--real-time] [--output multidof|mavros]
 
-Prints a line for each flight and a summary. Exit status 0 if there was no contact, enough goals were reached, and the
-node showed markers and a map that fit the world."""
+Prints a line for each flight and a summary. Exit status 0 if there was no contact, enough goals were reached, the node
+showed markers and a map that fit the world, and its record of each flight was flown again with the same commands."""
 import argparse
 import json
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -20,13 +21,15 @@ import sys
 from ros1.master import Master, end
 
 NODE_LOG = "node.log"
-AGREES = 1.0  # s, for which a node that is played a bag must send the bag's setpoints. Then it may plan otherwise: the
-# messages do not always reach it in the same tick
+AGREES = 1.0  # s, for which a node that is played a bag must send the bag's setpoints. Then it may plan otherwise: a bag
+# does not tell in which tick a message reached the node. The node's record does
 MOST_OFF = 0.5  # m, of a voxel in which something was seen from the nearest thing of the true world
 
 
 def fly(options, member, master, *bag):
-    """One flight: what ros1_fly_world says of it. `bag`: "record" or "play", and the file."""
+    """One flight: what ros1_fly_world says of it, and of its record. `bag`: "record" or "play", and the file."""
+    records = master.folder / "records"
+    shutil.rmtree(records, ignore_errors=True)
     log = open(master.folder / NODE_LOG, "a")
     clock = "real" if options.real_time else "lockstep"
     world = subprocess.Popen([options.world, member, str(options.spoilt), str(options.jump), options.sensors, clock,
@@ -36,13 +39,33 @@ def fly(options, member, master, *bag):
     try:
         if world.stdout.readline() != "ready\n":
             return {"world": member, "end": "no world"}
-        node = subprocess.Popen([options.node], env=master.environment, stdout=log, stderr=log)
+        node = subprocess.Popen([options.node, f"_record:={records}"], env=master.environment, stdout=log, stderr=log)
         answer = world.stdout.readline()
-        return json.loads(answer) if answer else {"world": member, "end": "no answer"}
+        flown = json.loads(answer) if answer else {"world": member, "end": "no answer"}
     finally:
         for process in (node, world):
             if process is not None:
-                end(process, signal.SIGINT)  # nodes write their logs' last lines
+                end(process, signal.SIGINT)  # nodes write their logs' last lines, and what is left of a record
+    return {**flown, "replay": replay(options, records, bag[1:] if bag[:1] == ("record",) else ())}
+
+
+def replay(options, records, bag):
+    """What ros1_fly_world says of the one record of a flight."""
+    files = list(records.glob("*.record"))
+    if len(files) != 1:
+        return {"difference": f"{len(files)} records"}
+    done = subprocess.run([options.world, "replay", files[0], *bag], stdout=subprocess.PIPE, text=True)
+    return json.loads(done.stdout or '{"difference": "no record"}')
+
+
+def replay_fault(flown, has_bag):
+    """What is wrong with a flight that was flown again from its record, or nothing."""
+    again = flown.get("replay", {})
+    if again.get("difference", "no replay") or again["ticks"] < 100:
+        return f"a record was not flown again: {again}"
+    if has_bag and (again["different"] > 0 or again["compared"] < 0.9 * again["ticks"]):
+        return f"a record is not the bag's flight: {again}"
+    return None
 
 
 def displays_fault(flown, options):
@@ -96,6 +119,7 @@ def main():
                 (played if how == "play" else flights).append(flown)
                 print(json.dumps(flown), flush=True)
                 faults.append(displays_fault(flown, options) if flown["end"] == "reached" else None)
+                faults.append(replay_fault(flown, how == "record" and options.jump == 0.0 and options.output == "multidof"))
         log = pathlib.Path(master.folder, NODE_LOG).read_text()
         faults.append(log_fault(log, options, len(flights) + len(played)))
         faults += [f"a bag was not flown again: {flown}" for flown in played if flown.get("agreed", 0.0) < AGREES]

@@ -9,7 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "host/flight/flight_replay.hpp"
 #include "ros2/camera_world.hpp"
 #include "ros_clouds.hpp"
 
@@ -93,7 +97,31 @@ TEST_F(Ros2, FliesPastAKnownCloud) {
   EXPECT_EQ(map.data.size(), 12u * map.width);
 }
 
+/// Flies the record of a flight again: what each tick commands is what was sent for it, bit for bit.
+void expect_replays(const std::filesystem::path& file, const CameraWorld& world) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  int different = 0;
+  const auto equal = [](const auto& a, const tern::Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  const tern_host::FlightReplay replay =
+      tern_host::replay_flight(bytes, [&](std::int64_t t, const tern::Command& command) {
+        const auto sent = world.sent.find(t);
+        const bool same = sent != world.sent.end() &&
+                          equal(sent->second.transforms.at(0).translation, command.sample.position) &&
+                          equal(sent->second.velocities.at(0).linear, command.sample.velocity) &&
+                          equal(sent->second.accelerations.at(0).linear, command.sample.acceleration);
+        different += same ? 0 : 1;
+      });
+  EXPECT_EQ(replay.difference, "");
+  EXPECT_EQ(different, 0);
+  EXPECT_GT(replay.ticks, 500);
+  EXPECT_GT(replay.frames, 50);
+}
+
 TEST_F(Ros2, FliesThroughAForestThatItSees) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "tern_ros2_records";
+  std::filesystem::remove_all(folder);
+  bus().parameters["record"] = folder.string();
   CameraWorld world("P25:20001");
   bool there = false;
   ASSERT_EQ(run([&] {
@@ -111,6 +139,7 @@ TEST_F(Ros2, FliesThroughAForestThatItSees) {
   ASSERT_EQ(markers.markers.size(), 4u);
   EXPECT_EQ(markers.markers[1].ns, "corridor");
   EXPECT_GE(markers.markers[1].points.size(), 12u);  // edges of one polyhedron at least
+  expect_replays(folder / "flight_42.100.record", world);
 }
 
 TEST_F(Ros2, SendsToPx4OnlyWhatItsModeAsksFor) {

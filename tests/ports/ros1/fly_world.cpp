@@ -5,13 +5,17 @@
 // "ready", waits for the node, flies the world or plays the bag to the node, and prints one line of JSON. SENSORS:
 // camera, cameras, lidar or both. CLOCK: lockstep or real. OUTPUT: multidof or mavros. Exit status 0 if the goal was
 // reached without contact.
+//
+// ros1_fly_world replay RECORD [BAG]: flies a node's record again, and compares it with the setpoints in a bag.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "ros1/flown_world.hpp"
+#include "ros1/outlet.hpp"
 
 int main(int argc, char** argv) {
+  if (argc > 2 && argv[1] == std::string("replay")) return tern_test::replay(argv[2], argc > 3 ? argv[3] : "");
   ros::init(argc, argv, "world");
   if (argc != 7 && argc != 9) {
     std::fprintf(stderr, "usage: ros1_fly_world MEMBER SPOILT JUMP SENSORS CLOCK OUTPUT [record|play BAG]\n");

@@ -21,6 +21,10 @@ inline ros::Time time_of(std::int64_t ns) {
   return time;
 }
 
+/// Flies a node's record again. Prints, as JSON, how many ticks it has, how many of them have a setpoint in the bag, in
+/// how many the command has other bits than that, and what differs from the record. Answers the exit status.
+int replay(const std::string& record, const std::string& bag);
+
 class Outlet {
  public:
   /// From now on, messages are written to this bag, too.

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/flight_world.hpp"
 #include "ros2_core.hpp"
+#include "tern_ros/inputs.hpp"
 #include "tern_ros/outputs.hpp"
 
 namespace tern_test {
@@ -78,6 +80,7 @@ class CameraWorld {
     const std::any last = bus().last("command/trajectory");
     if (!last.has_value()) return;
     const auto setpoint = std::any_cast<MultiDOFJointTrajectory>(last);
+    sent[tern_ros::stamp_of(setpoint.header.stamp)] = setpoint.points.at(0);
     const auto& t = setpoint.points.at(0).transforms.at(0);
     position_ = {t.translation.x, t.translation.y, t.translation.z};
     yaw_ = 2.0 * std::atan2(t.rotation.z, t.rotation.w);
@@ -85,6 +88,7 @@ class CameraWorld {
   }
   double body() const { return world_.settings.body_radius; }
   double least = 1e9;
+  std::map<std::int64_t, trajectory_msgs::msg::MultiDOFJointTrajectoryPoint> sent;  // by their stamps
 
  private:
   void send_odometry() const {

@@ -13,7 +13,6 @@
 #include "record/envelope.hpp"
 #include "record/fences.hpp"
 #include "record/flight_fields.hpp"
-#include "tern/flight.hpp"
 #include "tern/flight_record.hpp"
 
 namespace tern_host {
@@ -30,7 +29,8 @@ std::string text(const char* format, double value) {
 
 class Player {
  public:
-  explicit Player(const std::string& bytes) : events_(bytes), planner_(workspace_.get(), sizeof *workspace_) {
+  Player(const std::string& bytes, const OnTick& on_tick)
+      : events_(bytes), on_tick_(on_tick), planner_(workspace_.get(), sizeof *workspace_) {
     result_.configuration = events_.configuration();
   }
 
@@ -175,22 +175,15 @@ class Player {
     const auto t = read<std::int64_t>(event);
     tern::FlightSpec spec{};
     list_flight_spec(event.words, spec);
-    read_fences(event);
+    fences_.resize(tern::kMaxFences);
+    planes_.resize(tern::kMaxFencePlanes);
+    if (tern::read_fences(event.words, fences_.data(), planes_.data(), spec.fence_count) != Status::kOk) {
+      events_.refuse(event, "has a count that is out of range");
+    }
     spec.fences = fences_.data();
-    spec.fence_count = static_cast<std::int32_t>(fences_.size());
     if (!map_.bound()) return Status::kInvalidArgument;
     words_.resize(tern::flight_words(map_.safe().spec().dims));
     return flight_.start(spec, map_, planner_, words_.data(), words_.size(), position, t);
-  }
-
-  void read_fences(FlightEvent& event) {
-    fences_.resize(tern::kMaxFences);
-    planes_.resize(tern::kMaxFencePlanes);
-    std::int32_t count = 0;
-    if (tern::read_fences(event.words, fences_.data(), planes_.data(), count) != Status::kOk) {
-      events_.refuse(event, "has a count that is out of range");
-    }
-    fences_.resize(static_cast<std::size_t>(count));
   }
 
   Status set_mission(FlightEvent& event) {
@@ -217,8 +210,7 @@ class Player {
 
   /// What was flown until then took as long as the ticks say.
   Status set_clock(FlightEvent& event) {
-    std::int64_t t = 0;
-    event.words(t);
+    const auto t = read<std::int64_t>(event);
     earlier_ = result_.seconds;
     first_ = t;
     return flight_.set_clock(t);
@@ -240,6 +232,7 @@ class Player {
       if (result_.different_ticks > 0) note_distance(whole, command);
     }
     ++result_.ticks;
+    if (on_tick_) on_tick_(t, command);
     return answer;
   }
 
@@ -267,6 +260,7 @@ class Player {
   }
 
   FlightEvents events_;
+  const OnTick& on_tick_;
   std::unique_ptr<tern::Workspace> workspace_ = std::make_unique<tern::Workspace>();
   tern::Planner planner_;
   tern::RollingMap map_;
@@ -294,8 +288,8 @@ bool is_flight_record(const std::string& bytes) {
   return tern::record_kind(data, bytes.size()) == static_cast<std::uint64_t>(tern::RecordKind::kFlight);
 }
 
-FlightReplay replay_flight(const std::string& bytes) {
-  return Player(bytes).play();
+FlightReplay replay_flight(const std::string& bytes, const OnTick& on_tick) {
+  return Player(bytes, on_tick).play();
 }
 
 }  // namespace tern_host

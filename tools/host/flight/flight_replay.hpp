@@ -7,7 +7,10 @@
 #define TERN_HOST_FLIGHT_FLIGHT_REPLAY_HPP
 
 #include <cstdint>
+#include <functional>
 #include <string>
+
+#include "tern/flight.hpp"
 
 namespace tern_host {
 
@@ -23,8 +26,11 @@ struct FlightReplay {
 /// True for bytes that say that they are the record of a flight.
 bool is_flight_record(const std::string& bytes);
 
+/// Called after each tick with its time and what the flight commands then.
+using OnTick = std::function<void(std::int64_t t, const tern::Command& command)>;
+
 /// Throws std::runtime_error, with the reason, for bytes that are no record of a flight that this build can read.
-FlightReplay replay_flight(const std::string& bytes);
+FlightReplay replay_flight(const std::string& bytes, const OnTick& on_tick = {});
 
 }  // namespace tern_host
 

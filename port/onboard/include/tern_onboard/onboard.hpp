@@ -19,6 +19,7 @@
 #include "tern_onboard/latency.hpp"
 #include "tern_onboard/notices.hpp"
 #include "tern_onboard/poses.hpp"
+#include "tern_onboard/recording.hpp"
 #include "tern_onboard/sensors.hpp"
 #include "tern_onboard/settings.hpp"
 #include "tern_onboard/wish.hpp"
@@ -122,6 +123,12 @@ class Onboard {
   std::vector<Notice> take_notices();
   Settings settings() const { return settings_; }
 
+  /// Records the flights that begin from now on (docs/record.md). Of what was not taken for so long that it exceeds
+  /// `room` bytes, and of what then follows, nothing is recorded: a notice says so.
+  void record_flights(std::size_t room = kRecordRoom);
+  /// What was recorded since the last call; from any thread.
+  std::vector<RecordPart> take_record();
+
   // For displays, in the frame of the poses that came in.
 
   /// The committed plan from `now` on: a point every `step` nanoseconds, at most `most` of them. Empty without a
@@ -141,6 +148,7 @@ class Onboard {
   Answer begin_locked(std::int64_t now);
   Answer begin_at(const StampedPose& at, std::int64_t now);
   void one_tick();
+  void record_tick(tern::Status answer);
   void keep_corridor(const tern::FlightReport& before);
   void set_back(std::int64_t now);
   void mark_known();
@@ -169,6 +177,7 @@ class Onboard {
   Poses poses_;
   Sensors sensors_;
   Notices notices_;
+  Recording recording_;
   Wish wish_;
   std::vector<tern::Vec3> known_points_;
   std::size_t known_marked_ = 0;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tern/flight_record.hpp"
 #include "tern/map.hpp"
 #include "tern_onboard/notices.hpp"
 #include "tern_onboard/poses.hpp"
@@ -90,8 +91,9 @@ class Sensors {
   bool offer(int sensor, const PointScan& scan, std::int64_t now, Notices& notices);
   /// The stamp of the last frame that was offered and not refused.
   std::int64_t newest(int sensor) const { return sensors_[static_cast<std::size_t>(sensor)].newest; }
-  /// Begins to enter a frame, if one can be. To be called while the map is not busy.
-  void enter(tern::RollingMap& map, const Poses& poses, std::int64_t now, Notices& notices);
+  /// Begins to enter a frame, if one can be, and records it. To be called while the map is not busy.
+  void enter(tern::RollingMap& map, tern::FlightRecorder& record, const Poses& poses, std::int64_t now,
+             Notices& notices);
   /// Forgets what waits, and all stamps: the clock or the map is a new one.
   void restart();
   const SensorState& state(int sensor) const { return sensors_[static_cast<std::size_t>(sensor)].state; }
@@ -127,7 +129,7 @@ class Sensors {
   static void read(const PointScan& scan, Frame& frame);
   bool drop_old(int index, std::int64_t now, Notices& notices);
   int next(const Poses& poses, std::int64_t now, Notices& notices, tern::Pose& body);
-  tern::Status begin(tern::RollingMap& map, Sensor& sensor, const tern::Pose& body);
+  tern::Status begin(tern::RollingMap& map, tern::FlightRecorder& record, Sensor& sensor, const tern::Pose& body);
   std::string called(int index) const { return sensors_[static_cast<std::size_t>(index)].spec.name; }
 
   WatchSettings settings_;

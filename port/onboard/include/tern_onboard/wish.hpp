@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "tern/flight.hpp"
+#include "tern/flight_record.hpp"
 #include "tern_onboard/settings.hpp"
 
 namespace tern_onboard {
 
-/// Not thread-safe. Points are in the estimate's frame.
+/// Not thread-safe. Points are in the estimate's frame. What the flight is told is recorded.
 class Wish {
  public:
   explicit Wish(const FlySettings& settings);
@@ -23,11 +24,12 @@ class Wish {
   bool empty() const { return points_.empty(); }
   /// Tells the flight the points that are left of the mission, moved by -offset; `done` of those it was told last are
   /// behind it.
-  tern::Status send(tern::Flight& flight, std::size_t done, const tern::Vec3& offset);
+  tern::Status send(tern::Flight& flight, tern::FlightRecorder& record, std::size_t done, const tern::Vec3& offset);
 
   void set_yaw(tern::FlightYawMode mode, const tern::Vec3& point, double heading);
   /// Tells the flight how to turn. `start`: the heading now, rad; for the first time after Flight::start().
-  tern::Status send_yaw(tern::Flight& flight, double start, const tern::Vec3& offset) const;
+  tern::Status send_yaw(tern::Flight& flight, tern::FlightRecorder& record, double start,
+                        const tern::Vec3& offset) const;
 
  private:
   std::vector<tern::Via> points_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tern_onboard/onboard.hpp"
+#include "tern_onboard/record_files.hpp"
 #include "tern_ros/inputs.hpp"
 #include "tern_ros/options.hpp"
 
@@ -29,7 +30,15 @@ using Log = std::function<void(bool bad, const std::string& text)>;
 class FlightTopics {
  public:
   FlightTopics(tern_onboard::Onboard& onboard, Options options, Lookup lookup, Log log)
-      : onboard_(onboard), options_(std::move(options)), lookup_(std::move(lookup)), log_(std::move(log)) {}
+      : onboard_(onboard),
+        options_(std::move(options)),
+        lookup_(std::move(lookup)),
+        log_(std::move(log)),
+        record_(onboard, options_.record) {}
+  /// After the last tick.
+  ~FlightTopics() { save(); }
+  FlightTopics(const FlightTopics&) = delete;
+  FlightTopics& operator=(const FlightTopics&) = delete;
 
   void add_sensor(const std::string& name, tern_onboard::SensorKind kind,
                   const tern_onboard::SensorSettings& settings) {
@@ -131,6 +140,12 @@ class FlightTopics {
   }
   void on_stop() { answer(onboard_.stop()); }
 
+  /// Writes what was recorded to the flight's file, if the parameter `record` names a folder.
+  void save() {
+    const std::string fault = record_.save();
+    if (!fault.empty()) log_(true, fault);
+  }
+
   /// Writes what Onboard has to say to the log.
   void say() {
     for (const tern_onboard::Notice& notice : onboard_.take_notices()) log_(notice.bad, notice.text);
@@ -187,6 +202,7 @@ class FlightTopics {
   Options options_;
   Lookup lookup_;
   Log log_;
+  tern_onboard::RecordFiles record_;
   std::vector<Sensor> sensors_;
   std::set<std::string> said_;
 };

@@ -18,6 +18,7 @@ struct Options {
   std::string cameras = "camera";        ///< names of depth cameras, separated by spaces
   std::string lidars;                    ///< and of lidars
   std::string output = "multidof";       ///< or mavros, or px4
+  std::string record;                    ///< folder for the records of flights; empty: none
   double setpoint_rate = 50.0;           ///< Hz
   double display_rate = 5.0;             ///< Hz, of markers, map and diagnostics
   double via_tolerance = 0.5;            ///< m, of all points of a mission but the last

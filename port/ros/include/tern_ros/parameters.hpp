@@ -27,6 +27,7 @@ Options read_options(const Get& get) {
   o.cameras = get("cameras", o.cameras);
   o.lidars = get("lidars", o.lidars);
   o.output = get("output", o.output);
+  o.record = get("record", o.record);
   o.setpoint_rate = get("setpoint_rate", o.setpoint_rate);
   o.display_rate = get("display_rate", o.display_rate);
   o.via_tolerance = get("via_tolerance", o.via_tolerance);

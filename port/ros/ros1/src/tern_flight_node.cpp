@@ -180,6 +180,7 @@ class Node {
 
   void show() {
     topics_.say();
+    topics_.save();
     const std::int64_t now = now_ns();
     visualization_msgs::MarkerArray markers;
     tern_ros::write_markers(onboard_, now, markers);

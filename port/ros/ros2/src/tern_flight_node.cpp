@@ -190,6 +190,7 @@ class Node : public LifecycleNode {
 
   void show() {
     topics_->say();
+    topics_->save();
     const std::int64_t now = now_ns();
     visualization_msgs::msg::MarkerArray markers;
     tern_ros::write_markers(*onboard_, now, markers);
