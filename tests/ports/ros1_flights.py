@@ -21,7 +21,7 @@ import sys
 from ros1.master import Master, end
 
 NODE_LOG = "node.log"
-AGREES = 1.0  # s, for which a node that is played a bag must send the bag's setpoints. Then it may plan otherwise: a bag
+AGREES = 1.0  # s, for which a node that is played a bag must send its setpoints. Then it may plan otherwise: a bag
 # does not tell in which tick a message reached the node. The node's record does
 MOST_OFF = 0.5  # m, of a voxel in which something was seen from the nearest thing of the true world
 
@@ -109,6 +109,7 @@ def main():
     parser.add_argument("--log", help="folder for the node's log")
     options = parser.parse_args()
     flights, played, faults = [], [], []
+    has_setpoints = options.output == "multidof" and options.jump == 0.0  # a bag does, as the flight commands them
     with Master(options.log) as master:
         (master.folder / NODE_LOG).unlink(missing_ok=True)
         for seed in range(options.first, options.first + options.flights):
@@ -119,7 +120,7 @@ def main():
                 (played if how == "play" else flights).append(flown)
                 print(json.dumps(flown), flush=True)
                 faults.append(displays_fault(flown, options) if flown["end"] == "reached" else None)
-                faults.append(replay_fault(flown, how == "record" and options.jump == 0.0 and options.output == "multidof"))
+                faults.append(replay_fault(flown, how == "record" and has_setpoints))
         log = pathlib.Path(master.folder, NODE_LOG).read_text()
         faults.append(log_fault(log, options, len(flights) + len(played)))
         faults += [f"a bag was not flown again: {flown}" for flown in played if flown.get("agreed", 0.0) < AGREES]
