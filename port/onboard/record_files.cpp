@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern_onboard/record_files.hpp"
 
+#include <sys/stat.h>
+
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
-#include <system_error>
 
 namespace tern_onboard {
 
 RecordFiles::RecordFiles(Onboard& onboard, const std::string& folder) : onboard_(onboard), folder_(folder) {
   if (folder.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder)) {
+  struct stat found {};
+  mkdir(folder.c_str(), 0777);
+  if (stat(folder.c_str(), &found) != 0 || !S_ISDIR(found.st_mode)) {
     throw std::invalid_argument("the folder \"" + folder +
                                 "\" for records is refused: it is no folder, and cannot be made");
   }
