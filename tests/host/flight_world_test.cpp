@@ -97,7 +97,7 @@ TEST(WorldFamily, NamesSayFamilySpeedAndSeed) {
 
 TEST(WorldFamily, EveryMemberIsAWorldWithClearEnds) {
   for (const std::string& family : tern_host::family_names()) {
-    for (int seed = 1; seed <= tern_test::scaled(300); ++seed) {
+    for (int seed = 1; seed <= tern_test::scaled(150); ++seed) {
       const std::string name = family + ":" + std::to_string(seed);
       const FlightWorld world = member(name);
       EXPECT_GT(clearance(world, world.start), 0.6) << name;
@@ -117,6 +117,30 @@ TEST(WorldFamily, SeedsGiveOtherWorldsAndSpeedsTheSame) {
   ASSERT_EQ(one.cylinders.size(), fast.cylinders.size());
   EXPECT_EQ(one.cylinders.back().y, fast.cylinders.back().y);
   EXPECT_EQ(fast.settings.v_max, 12.0);
+}
+
+/// No step of a hill's or slope's ground is higher than 30 degrees allow, and flights begin above it.
+TEST(WorldFamily, GroundRisesByThirtyDegreesAtMost) {
+  for (const char* const name : {"H:1", "H:2", "T30:1", "T30:2", "T30:3"}) {
+    const FlightWorld world = member(name);
+    const auto ground = [&world](double x, double y) {
+      double top = 0.0;
+      for (const tern::Box& b : world.blocks) {
+        if (b.lower.x <= x && x < b.upper.x && b.lower.y <= y && y < b.upper.y) top = std::max(top, b.upper.z);
+      }
+      return top;
+    };
+    for (double x = 1.0; x < world.boundary.upper.x - 2.0; x += 0.83) {
+      for (double y = -6.9; y < 6.0; y += 1.31) {
+        const double here = ground(x, y);
+        EXPECT_GT(here, 0.0) << name;
+        EXPECT_LE(std::abs(ground(x + 0.8, y) - here), 0.8 * 0.5774 + 0.22) << name << " " << x << " " << y;
+        EXPECT_LE(std::abs(ground(x, y + 0.8) - here), 0.8 * 0.5774 + 0.22) << name << " " << x << " " << y;
+      }
+    }
+    EXPECT_NEAR(world.start.z - ground(world.start.x, world.start.y), 1.5, 0.2) << name;
+    EXPECT_NEAR(world.goal.z - ground(world.goal.x, world.goal.y), 1.5, 0.2) << name;
+  }
 }
 
 /// Mean of a Poisson forest, gaps of a thick one, and the part of the area that it covers.

@@ -7,12 +7,15 @@
 #include <cstdlib>
 #include <vector>
 
+#include "host/flight/indoor_worlds.hpp"
 #include "host/flight/mission_worlds.hpp"
+#include "host/flight/outdoor_worlds.hpp"
 #include "host/text_records.hpp"
 
 namespace tern_host {
 namespace {
 
+const std::string kBodyCamera = "sensor d435\nyaw unseen\n";
 constexpr double kPi = 3.14159265358979323846;
 
 struct Trunk {
@@ -207,8 +210,18 @@ std::string obstacles_text(const std::string& family, Noise& random) {
       return storey(random);
     case 'M':
       return Maze(random).text();
-    default:
+    case 'L':
+    case 'G':
+    case 'I':
+    case 'D':
       return mission_text(family[0], random);
+    case 'W':
+    case 'N':
+    case 'Q':
+    case 'X':
+      return kBodyCamera + indoor_text(family[0], random);
+    default:
+      return kBodyCamera + outdoor_text(family, random);
   }
 }
 
