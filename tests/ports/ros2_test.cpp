@@ -10,11 +10,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
-#include "host/flight/flight_replay.hpp"
 #include "ros2/camera_world.hpp"
+#include "ros2/message_files.hpp"
+#include "ros2/replayed_flight.hpp"
 #include "ros_clouds.hpp"
 
 namespace {
@@ -97,25 +96,10 @@ TEST_F(Ros2, FliesPastAKnownCloud) {
   EXPECT_EQ(map.data.size(), 12u * map.width);
 }
 
-/// Flies the record of a flight again: what each tick commands is what was sent for it, bit for bit.
-void expect_replays(const std::filesystem::path& file, const CameraWorld& world) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  int different = 0;
-  const auto equal = [](const auto& a, const tern::Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
-  const tern_host::FlightReplay replay =
-      tern_host::replay_flight(bytes, [&](std::int64_t t, const tern::Command& command) {
-        const auto sent = world.sent.find(t);
-        const bool same = sent != world.sent.end() &&
-                          equal(sent->second.transforms.at(0).translation, command.sample.position) &&
-                          equal(sent->second.velocities.at(0).linear, command.sample.velocity) &&
-                          equal(sent->second.accelerations.at(0).linear, command.sample.acceleration);
-        different += same ? 0 : 1;
-      });
-  EXPECT_EQ(replay.difference, "");
-  EXPECT_EQ(different, 0);
-  EXPECT_GT(replay.ticks, 500);
-  EXPECT_GT(replay.frames, 50);
+/// The last message of a topic, for definitions_test.sh.
+template <typename Message>
+void write_last(const std::string& type, const std::string& topic) {
+  tern_test::write_message(type, std::any_cast<Message>(bus().last(topic)));
 }
 
 TEST_F(Ros2, FliesThroughAForestThatItSees) {
@@ -139,7 +123,15 @@ TEST_F(Ros2, FliesThroughAForestThatItSees) {
   ASSERT_EQ(markers.markers.size(), 4u);
   EXPECT_EQ(markers.markers[1].ns, "corridor");
   EXPECT_GE(markers.markers[1].points.size(), 12u);  // edges of one polyhedron at least
-  expect_replays(folder / "flight_42.100.record", world);
+  tern_test::expect_replays(folder / "flight_42.100.record", world);
+  write_last<nav_msgs::msg::Odometry>("nav_msgs/Odometry", "odometry");
+  write_last<sensor_msgs::msg::CameraInfo>("sensor_msgs/CameraInfo", "camera/camera_info");
+  write_last<sensor_msgs::msg::Image>("sensor_msgs/Image", "camera/image");
+  write_last<PoseStamped>("geometry_msgs/PoseStamped", "goal");
+  write_last<MultiDOFJointTrajectory>("trajectory_msgs/MultiDOFJointTrajectory", "command/trajectory");
+  write_last<visualization_msgs::msg::MarkerArray>("visualization_msgs/MarkerArray", "tern/markers");
+  write_last<sensor_msgs::msg::PointCloud2>("sensor_msgs/PointCloud2", "tern/obstacles");
+  write_last<diagnostic_msgs::msg::DiagnosticArray>("diagnostic_msgs/DiagnosticArray", "/diagnostics");
 }
 
 TEST_F(Ros2, SendsToPx4OnlyWhatItsModeAsksFor) {
@@ -178,6 +170,8 @@ TEST_F(Ros2, SendsToPx4OnlyWhatItsModeAsksFor) {
   EXPECT_NEAR(setpoint.yaw, 0.0f, 1e-6f);
   EXPECT_GT(setpoint.timestamp, 42000000u);
   const auto mode = std::any_cast<px4_msgs::msg::OffboardControlMode>(bus().last("fmu/in/offboard_control_mode"));
+  tern_test::write_message("px4_msgs/TrajectorySetpoint", setpoint);
+  tern_test::write_message("px4_msgs/OffboardControlMode", mode);
   EXPECT_TRUE(mode.position);
   EXPECT_FALSE(mode.attitude || mode.body_rate);
 }

@@ -1,8 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Writes standins/messages.hpp from the definitions of ROS 2 Jazzy, with all fields: in a folder in which
-// `npm install @foxglove/rosmsg-msgs-common` was run, `node definitions.mjs > messages.hpp`.
+// Writes standins/messages.hpp and standins/fields.hpp from the definitions of ROS 2 Jazzy, with all fields: in a folder in
+// which `npm install @foxglove/rosmsg-msgs-common` was run, `node definitions.mjs messages > messages.hpp`, and the same
+// for fields.
 import { ros2jazzy } from "@foxglove/rosmsg-msgs-common";
 
 const wanted = ["std_msgs/Empty", "geometry_msgs/PoseStamped", "geometry_msgs/TransformStamped", "nav_msgs/Odometry",
@@ -35,12 +36,16 @@ function enter(space) {
   open = space;
 }
 
-function write(name) {
+/// Calls `each` with a message, after those that it contains.
+function walk(name, each) {
   if (written.has(name)) return;
   written.add(name);
   const fields = definition(name);
-  for (const field of fields) if (field.isComplex) write(field.type.replace("/msg/", "/"));
-  const [space, message] = name.split("/");
+  for (const field of fields) if (field.isComplex) walk(field.type.replace("/msg/", "/"), each);
+  each(...name.split("/"), fields);
+}
+
+function writeMessage(space, message, fields) {
   enter(space);
   console.log(`struct ${message} {`);
   for (const field of fields) {
@@ -53,9 +58,42 @@ function write(name) {
   console.log("};");
 }
 
-console.log(`// Copyright (c) 2026, the Tern authors
+/// A function that hands each field with its name to `visit`, in the order of the definition.
+function writeFields(space, message, fields) {
+  console.log(`template <typename Visit>\nvoid each_field(const ${space}::msg::${message}& m, Visit& visit) {`);
+  for (const field of fields) if (!field.isConstant) console.log(`  visit("${field.name}", m.${field.name});`);
+  console.log("}");
+}
+
+const head = `// Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
+//`;
+
+function writeAllFields() {
+  console.log(`${head}
+// The fields of messages.hpp, one after the other. definitions.mjs wrote this file, and a test compares the two.
+#pragma once
+
+#include "messages.hpp"
+
+// clang-format off
+namespace tern_test {
+template <typename Visit>
+void each_field(const builtin_interfaces::msg::Time& m, Visit& visit) {
+  visit("sec", m.sec);
+  visit("nanosec", m.nanosec);
+}
+template <typename Visit>
+void each_field(const builtin_interfaces::msg::Duration& m, Visit& visit) {
+  visit("sec", m.sec);
+  visit("nanosec", m.nanosec);
+}`);
+  wanted.slice(1).forEach((name) => walk(name, writeFields));  // the first one is empty
+  console.log(`}  // namespace tern_test`);
+}
+
+function writeAllMessages() {
+  console.log(`${head}
 // The messages of ROS 2 Jazzy that port/ros uses, with all their fields. definitions.mjs wrote this file, and a test
 // compares the two.
 #pragma once
@@ -75,5 +113,9 @@ struct Duration {
   std::int32_t sec{};
   std::uint32_t nanosec{};
 };`);
-wanted.forEach(write);
-console.log(`}  // namespace ${open}::msg`);
+  wanted.forEach((name) => walk(name, writeMessage));
+  console.log(`}  // namespace ${open}::msg`);
+}
+
+if (process.argv[2] === "messages") writeAllMessages();
+if (process.argv[2] === "fields") writeAllFields();

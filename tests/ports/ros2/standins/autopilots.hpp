@@ -31,6 +31,7 @@ namespace px4_msgs::msg {
 struct OffboardControlMode {
   std::uint64_t timestamp = 0;
   bool position = false, velocity = false, acceleration = false, attitude = false, body_rate = false;
+  bool thrust_and_torque = false, direct_actuator = false;
 };
 struct TrajectorySetpoint {
   std::uint64_t timestamp = 0;

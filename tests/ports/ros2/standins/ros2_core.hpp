@@ -37,6 +37,7 @@ class Bus {
   std::function<bool()> world;                // one step; false when it is over
 
   void deliver(const std::string& topic, const std::any& message) {
+    publish(topic, message);
     for (const Deliver& to : subscribers.at(topic)) to(message);
   }
   void publish(const std::string& topic, const std::any& message) {
