@@ -206,7 +206,8 @@ Answer Onboard::begin_at(const StampedPose& start, std::int64_t now) {
   status_.stray = status_.stray_max = 0.0;
   status_.state = State::kFlying;
   hold_.valid = pose_lost_ = false;
-  notices_.say("the flight begins" + at(position));
+  progress_.restart();
+  notices_.say("the flight begins" + at(position) + "; " + narrowest_way_text(settings_.map));
   return {true, "the flight begins" + at(position)};
 }
 
@@ -253,6 +254,7 @@ Answer Onboard::set_mission(const std::vector<tern::Via>& points, tern::ViaPolic
     if (!begun.ok) return begun;
   }
   wish_.set_mission(points, policy);
+  progress_.restart();
   status_.report.leg = 0;
   if (pose_lost_) return {true, "it is taken over when poses come again"};
   return send_wish();

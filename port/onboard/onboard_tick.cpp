@@ -58,6 +58,7 @@ void Onboard::one_tick() {
   record_tick(flight_.tick(time_, status_.report));
   ++status_.ticks;
   keep_corridor(before);
+  watch_progress();
   flown_[flown_count_++ % flown_.size()] = {time_, flight_.command(time_).sample.position};
 }
 
@@ -69,6 +70,17 @@ void Onboard::record_tick(tern::Status answer) {
       "often; a ROS node does so at display_rate");
 }
 
+void Onboard::watch_progress() {
+  if (wish_.points().empty()) return;
+  const tern::Vec3 here = plus(flight_.command(time_).sample.position, poses_.offset());
+  const double away = length(minus(wish_.points().back().position, here));
+  const char* const text = progress_.note(status_.report, away, time_);
+  if (text == nullptr) return;
+  notices_.say(
+      std::string(text) + " (" + describe(status_) + "); " + narrowest_way_text(settings_.map) + ". " + kNarrowerWays,
+      true);
+}
+
 void Onboard::set_back(std::int64_t now) {
   recording_.recorder().set_clock(now, flight_.set_clock(now));
   time_ = now - spec_.tick;
@@ -76,6 +88,7 @@ void Onboard::set_back(std::int64_t now) {
   pose_stamp_ = now;
   sensors_.restart();
   flown_count_ = 0;
+  progress_.restart();
   notices_.bad(Fault::kClockBack, kNobody, now,
                "the clock went back: the flight goes on with the command that was due");
 }

@@ -63,7 +63,7 @@ class Notices {
   void count(Fault fault) { ++counts_[static_cast<std::size_t>(fault)]; }
   /// Faults of the subject from `first` to `last` have ended. A second later it is said, if they were.
   void good(Fault first, Fault last, int subject, std::int64_t now, const char* text);
-  void say(const std::string& text) { lines_.push_back({false, text}); }
+  void say(const std::string& text, bool bad = false) { lines_.push_back({bad, text}); }
   /// The lines since the last call.
   std::vector<Notice> take();
   const std::array<std::uint64_t, kFaults>& counts() const { return counts_; }

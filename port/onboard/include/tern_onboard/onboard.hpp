@@ -19,6 +19,7 @@
 #include "tern_onboard/latency.hpp"
 #include "tern_onboard/notices.hpp"
 #include "tern_onboard/poses.hpp"
+#include "tern_onboard/progress.hpp"
 #include "tern_onboard/recording.hpp"
 #include "tern_onboard/sensors.hpp"
 #include "tern_onboard/settings.hpp"
@@ -149,6 +150,7 @@ class Onboard {
   Answer begin_at(const StampedPose& at, std::int64_t now);
   void one_tick();
   void record_tick(tern::Status answer);
+  void watch_progress();
   void keep_corridor(const tern::FlightReport& before);
   void set_back(std::int64_t now);
   void mark_known();
@@ -178,6 +180,7 @@ class Onboard {
   Sensors sensors_;
   Notices notices_;
   Recording recording_;
+  Progress progress_;
   Wish wish_;
   std::vector<tern::Vec3> known_points_;
   std::size_t known_marked_ = 0;

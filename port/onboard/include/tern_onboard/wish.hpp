@@ -21,7 +21,8 @@ class Wish {
 
   void set_mission(const std::vector<tern::Via>& points, tern::ViaPolicy policy);
   void clear() { points_.clear(); }
-  bool empty() const { return points_.empty(); }
+  /// What is left of the mission; its last point is the goal.
+  const std::vector<tern::Via>& points() const { return points_; }
   /// Tells the flight the points that are left of the mission, moved by -offset; `done` of those it was told last are
   /// behind it.
   tern::Status send(tern::Flight& flight, tern::FlightRecorder& record, std::size_t done, const tern::Vec3& offset);
