@@ -262,12 +262,12 @@ class Flight {
   /// The command for time `t`. Every time has an answer. A time before the last tick gets the answer for the last tick,
   /// so that nothing is flown twice. After the end, the answer is rest. Before start(), it is zeros.
   Command command(int64_t t) const noexcept;
-  /// Says where the vehicle was measured to be at time `t`, world frame: call it with every pose, also with one that is
-  /// up to 0.1 s older than the plan in flight; earlier ones mean nothing. The distance from the plan is held against
-  /// the map's tracking margin: beyond 60 % of it, the vehicle brakes along its path and flies on at half the speed,
-  /// beyond 80 % at a quarter of it. It flies faster again, by one step, after 3 s in which no distance was more than
-  /// half of what the step began at. FlightReport::reason says so in flight. kOk; kNonFiniteInput; kInvalidArgument
-  /// before start(). A flight without this call takes the vehicle to be where the plan is.
+  /// Says where the vehicle was measured to be at time `t`, world frame. Call it with every pose. A pose from more than
+  /// 0.1 s before the plan in flight began is ignored. The flight compares the distance from the plan with the map's
+  /// tracking margin. Beyond 60 % of it, the vehicle brakes along its path and flies on at half the speed; beyond 80 %,
+  /// at a quarter. After 3 s within half of the distance at which a step began, it flies faster again by one step.
+  /// FlightReport::reason says so in flight. kOk; kNonFiniteInput; kInvalidArgument before start(). A flight without
+  /// this call takes the vehicle to be where the plan is.
   Status note_position(const Vec3& position, int64_t t) noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before
