@@ -156,7 +156,7 @@ Status frame(const std::function<void(tern_test::Image&, tern::Pose&)>& change, 
   if (!set_back) return begun;
   while (owned.map.step(100000) == Status::kRunning) {
   }
-  return owned.map.begin_frame(image.view, pose, 999);
+  return owned.map.begin_frame(image.view, pose, 999 - tern::kMaxFrameDelay);
 }
 
 std::vector<std::uint8_t> record() {

@@ -135,8 +135,8 @@
   FIELD(tern_depth_view, z16) FIELD(tern_depth_view, z32) FIELD(tern_depth_view, width)                              \
   FIELD(tern_depth_view, height) FIELD(tern_depth_view, stride) FIELD(tern_depth_view, fx)                           \
   FIELD(tern_depth_view, fy) FIELD(tern_depth_view, cx) FIELD(tern_depth_view, cy) FIELD(tern_depth_view, scale)     \
-  FIELD(tern_depth_view, min) FIELD(tern_depth_view, max) FIELD(tern_beams, directions) FIELD(tern_beams, ranges)    \
-  FIELD(tern_beams, count) FIELD(tern_beams, min) FIELD(tern_beams, max)
+  FIELD(tern_depth_view, min) FIELD(tern_depth_view, max) FIELD(tern_depth_view, no_return)                         \
+  FIELD(tern_beams, directions) FIELD(tern_beams, ranges) FIELD(tern_beams, count) FIELD(tern_beams, min) FIELD(tern_beams, max)
 
 #define TERN_LAYOUT_CORRIDOR(FIELD)                                                                                  \
   FIELD(tern_polyhedron, count) FIELD(tern_polyhedron, planes)                                                       \

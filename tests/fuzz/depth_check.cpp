@@ -31,8 +31,9 @@ tern::MapSpec spec_of(ByteSource& source) {
 
 tern::DepthView view_of(ByteSource& source, const std::vector<std::uint16_t>& pixels) {
   const int width = source.below(34);
-  tern::DepthView view{pixels.data(), nullptr, width, source.below(18), width + source.below(2), 0.0, 0.0, 0.0, 0.0,
-                       0.001,         0.0,     0.0};
+  tern::DepthView view{
+      pixels.data(), nullptr, width, source.below(18), width + source.below(2), 0.0, 0.0, 0.0, 0.0, 0.001,
+      0.0,           0.0,     0.0};
   view.fx = source.number(5.0, 40.0);
   view.fy = source.number(5.0, 40.0);
   view.cx = source.number(0.0, 32.0);
@@ -40,6 +41,7 @@ tern::DepthView view_of(ByteSource& source, const std::vector<std::uint16_t>& pi
   view.scale = source.number(0.001, 0.04);
   view.min = source.number(0.05, 0.5);
   view.max = source.number(1.0, 20.0);
+  view.no_return = source.below(2) == 1 ? source.number(-1.0, 12.0) : 0.0;
   return view;
 }
 

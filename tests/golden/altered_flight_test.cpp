@@ -102,12 +102,12 @@ TEST(FlightRecord, WhatIsForgedIsRefusedWithTheEvent) {
   const std::string& bytes = short_record();
   const std::size_t frame = event(bytes, kFrame);
   const std::uint64_t head = word_at(bytes, frame);
-  const std::size_t runs = frame + 8 * 19;
+  const std::size_t runs = frame + 8 * 20;
   expect_refused(forged(bytes, frame, (head & ~std::uint64_t{0xFF}) | 99), "(none) is no kind of event");
   expect_refused(forged(bytes, frame, head | std::uint64_t{1} << 63), "(frame) is longer than the record");
   expect_refused(forged(bytes, frame, head - (std::uint64_t{1} << 16)), "(frame)");
   expect_refused(forged(bytes, frame + 8 * 9, 1u << 30), "has no image that this build can read");
-  expect_refused(forged(bytes, frame + 8 * 18, 24), "has no image that this build can read");
+  expect_refused(forged(bytes, frame + 8 * 19, 24), "has no image that this build can read");
   expect_refused(forged(bytes, runs, 0), "has runs that do not fill its image");
   expect_refused(forged(bytes, runs, 0xFFFF), "has runs that do not fill its image");
   const std::size_t start = event(bytes, kStart);

@@ -198,7 +198,7 @@ inline tern::FlightSpec flight_spec_of(const FlightSetting& s) {
 inline tern::DepthView view_of(const FlightSetting& s, const std::uint16_t* depths) {
   const double focal = 0.5 * s.width;
   return {depths, nullptr, s.width, s.height, s.width, focal, focal, 0.5 * (s.width - 1), 0.5 * (s.height - 1),
-          0.001,  0.1,     59.0};
+          0.001,  0.1,     59.0,    0.0};
 }
 
 /// How long to fly, and who writes it down, if anybody.

@@ -198,7 +198,7 @@ TEST_F(MapFrames, FramesOutOfOrder) {
   EXPECT_EQ(owned.map.mark_cylinder({pose.position, 0.1, 0.1}), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.mark_points(&pose.position, 1), Status::kInvalidArgument);
   EXPECT_EQ(finish(owned.map), Status::kOk);
-  t = 9;
+  t = 9 - tern::kMaxFrameDelay;
   expect(Status::kClockBehind);
   EXPECT_EQ(owned.map.begin_scan(nullptr, 0, pose.position, t), Status::kClockBehind);
 }

@@ -46,6 +46,7 @@ TEST(MapSupport, ADeepPixelSeesNoFurtherThanTheOnesAroundIt) {
 bool supported(Image& image, const MapSpec& spec, int u, int v, float& nearest) {
   const auto depth = [&](int a, int b) {
     const float z = image.at(a, b);
+    if (image.view.no_return > 0.0 && (z == 0.0f || z == INFINITY)) return INFINITY;
     return z >= static_cast<float>(image.view.min) && z < static_cast<float>(image.view.max) ? z : 0.0f;
   };
   const float z = depth(u, v);
@@ -57,7 +58,7 @@ bool supported(Image& image, const MapSpec& spec, int u, int v, float& nearest) 
     for (int a = u - 1; a <= u + 1; ++a) {
       const bool inside = a >= 0 && b >= 0 && a < image.view.width && b < image.view.height;
       if (!inside || (a == u && b == v)) continue;
-      agreeing += std::abs(depth(a, b) - z) <= tolerance ? 1 : 0;
+      agreeing += depth(a, b) == z || (z < INFINITY && std::abs(depth(a, b) - z) <= tolerance) ? 1 : 0;
       nearest = std::min(nearest, depth(a, b));
     }
   }
@@ -83,6 +84,7 @@ TEST(MapSupport, LoneImagesAreFilteredAsByAPlainLoop) {
     spec.support = random.integer(1, 8);
     Image image(random.integer(1, 150), random.integer(1, 40), random.real(20.0, 60.0));
     tern_test::fill_randomly(random, image, spec.range);
+    if (random.chance(0.5)) image.view.no_return = random.real(0.1, spec.range);
     Pose pose{{0.0, 0.0, 0.0}, {}};
     tern_test::random_quaternion(random, pose.quaternion);
     const Seen filtered(spec, image, pose);
@@ -93,10 +95,11 @@ TEST(MapSupport, LoneImagesAreFilteredAsByAPlainLoop) {
         float nearest = 0.0f;
         const bool counts = supported(image, spec, u, v, nearest);
         lone += counts ? 0 : 1;
-        sees.at(u, v) = counts ? image.at(u, v) : nearest;
+        sees.at(u, v) = counts ? image.at(u, v) : (nearest > 0.0f ? nearest : -1.0f);
         hits.at(u, v) = counts ? image.at(u, v) : 0.0f;
       }
     }
+    sees.view.no_return = image.view.no_return;
     MapSpec plain = spec;
     plain.support = 0;
     const Seen what_is_seen(plain, sees, pose);

@@ -37,7 +37,8 @@ struct FlightSettings {
   int support = 0;
   double pose_margin = 0.0;
   std::vector<tern::Fence> fences{};
-  bool centers = false;  ///< a pixel has the depth of its centre, not its least one
+  double no_return = 0.0;  ///< as DepthView::no_return
+  bool centers = false;    ///< a pixel has the depth of its centre, not its least one
 };
 
 /// What the camera shows instead of the world.
@@ -46,6 +47,7 @@ enum class Images {
   kBlind,  ///< no pixel has a depth
   kNear,   ///< all of them the shortest one
   kFar,    ///< all of them one beyond the range that is used
+  kShort,  ///< the world, but nothing comes back from beyond the range
 };
 
 class Flown {
@@ -73,8 +75,8 @@ class Flown {
 
   static tern::MapSpec spec_of(const FlightSettings& s) {
     const tern::Vec3 half{0.5 * s.window.x * s.cell, 0.5 * s.window.y * s.cell, 0.0};
-    tern::MapSpec map =
-        tern::map_spec({s.start.x - half.x, s.start.y - half.y, -0.4}, s.cell, s.window, s.radius - s.margin);
+    tern::MapSpec map = tern::map_spec({s.start.x - half.x, s.start.y - half.y, std::max(-0.4, s.start.z - 2.0)},
+                                       s.cell, s.window, s.radius - s.margin);
     map.tracking_margin = s.margin;
     map.pixels = 160 * 120;
     map.pose_margin = s.pose_margin;
@@ -221,6 +223,11 @@ class Flown {
 
   void replace(Image& image) {
     if (images == Images::kTrue) return;
+    if (images == Images::kShort) {
+      for (float& z : image.z) z = static_cast<double>(z) < Flown::spec_of(settings).range ? z : 0.0f;
+      image.view.no_return = settings.no_return;
+      return;
+    }
     haunted = true;
     const double depth =
         images == Images::kBlind ? 0.0 : (images == Images::kNear ? image.view.min : 0.99 * image.view.max);

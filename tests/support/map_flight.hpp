@@ -59,7 +59,8 @@ inline std::uint64_t map_flight_hash(MapFlight& flight, std::uint32_t slice) {
                              0.5 * (MapFlight::kHeight - 1),
                              1.0,
                              0.1,
-                             50.0};
+                             50.0,
+                             0.0};
   tern::Vec3 eye{0.0, 0.0, 1.5};
   add(static_cast<std::uint64_t>(map.assume_free(eye, 0.8)));
   for (int k = 0; k < 24; ++k) {

@@ -29,7 +29,7 @@ struct Image {
   Image(int width, int height, double focal)
       : z(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
         view{nullptr,           z.data(),           width, height, width, focal, focal,
-             0.5 * (width - 1), 0.5 * (height - 1), 1.0,   0.1,    50.0} {}
+             0.5 * (width - 1), 0.5 * (height - 1), 1.0,   0.1,    50.0,  0.0} {}
   Image(const Image&) = delete;
   Image& operator=(const Image&) = delete;
   float& at(int u, int v) { return z[static_cast<std::size_t>(v * view.width + u)]; }

@@ -68,6 +68,10 @@ inline Real free_depth(const MapSpec& spec, Image& image, const Seen& seen) {
   for (int v = v0; v <= v1; ++v) {
     for (int u = u0; u <= u1; ++u) {
       const Real z = image.at(u, v);
+      if (image.view.no_return > 0 && (z == 0 || z == Real{INFINITY})) {
+        least = std::min(least, Real{image.view.no_return});
+        continue;
+      }
       if (!(z > 0) || !(z >= image.view.min) || !(z < image.view.max)) return -1;
       least = std::min(least, z - (spec.depth_margin + spec.depth_margin_square * z * z));
     }
@@ -144,6 +148,7 @@ inline SeenCounts check_frame(Random& random, const MapSpec& spec) {
   image.view.fy *= random.real(0.8, 1.2);
   image.view.cx += random.real(-3.0, 3.0);
   fill_randomly(random, image, spec.range);
+  if (random.chance(0.5)) image.view.no_return = random.real(0.1, 1.5 * spec.range);
   Pose pose{inside_window(random, spec), {}};
   random_quaternion(random, pose.quaternion);
   const Pose told = wrong_pose(random, spec, pose);

@@ -55,8 +55,8 @@ void largest_image() {
   for (float& depth : s.depths) depth = static_cast<float>(random.real(0.5, 12.0));
   constexpr std::int32_t kWidth = 2048;
   constexpr std::int32_t kHeight = tern::kMaxPixels / kWidth;
-  const tern::DepthView view{nullptr,      s.depths,     kWidth,        kHeight, kWidth, 0.5 * kWidth,
-                             0.5 * kWidth, 0.5 * kWidth, 0.5 * kHeight, 1.0,     0.1,    50.0};
+  const tern::DepthView view{nullptr,      s.depths,      kWidth, kHeight, kWidth, 0.5 * kWidth, 0.5 * kWidth,
+                             0.5 * kWidth, 0.5 * kHeight, 1.0,    0.1,     50.0,   0.0};
   const tern::Pose pose{{0.0, 0.0, 0.0}, {0.5, -0.5, 0.5, -0.5}};
   const std::uint64_t entered = count([&] {
     map.begin_frame(view, pose, 0);

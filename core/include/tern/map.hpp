@@ -78,6 +78,8 @@ struct MapSpec {
 constexpr int32_t kMaxEvidence = 4;
 /// Smallest MapSpec::scan_pixel.
 constexpr double kMinScanPixel = 0.002;
+/// The most by which a frame or scan may be older than the latest one that was entered, nanoseconds.
+constexpr int64_t kMaxFrameDelay = 1000000000;
 
 /// A spec with common values: 1 hit blocks, 3 misses clear, range 10 m, depth margin 0.05 m, pose margin 0.05 m, slack
 /// 4, pixels for 320 x 240, nothing ages, no scans, no prior.
@@ -98,7 +100,7 @@ struct Pose {
 /// [v - 1/2, v + 1/2]; a ray through (u, v) has the direction ((u - cx) / fx, (v - cy) / fy, 1).
 ///
 /// A pixel has no measurement if its depth is 0, NaN, below `min`, at least `max`, or 65535 in an image of 16 bits.
-/// Nothing is seen in such a pixel, not even close to the camera.
+/// Nothing is seen in such a pixel, not even close to the camera, unless `no_return` says otherwise.
 struct DepthView {
   /// Rows of numbers, `stride` numbers from one row to the next. Set one of the two; the other one is null.
   const uint16_t* z16;
@@ -110,6 +112,11 @@ struct DepthView {
   double scale;
   /// Depths that the sensor can measure, metres: 0 <= min < max.
   double min, max;
+  /// What a pixel says that nothing came back to: one of 0, or of +infinity in an image of floats. 0: nothing is known
+  /// there. More than 0: you state that nothing is nearer than this depth, in metres; the pixel is then free up to it,
+  /// and at most up to MapSpec::range. What the sensor cannot see is then flown into: docs/map.md has the risk. Write
+  /// NaN where your driver knows of a pixel that it says nothing.
+  double no_return;
 };
 
 /// The beams of a scan, yours: beam k looked along directions[k], in the world's axes and of any length, and measured
@@ -154,9 +161,11 @@ class RollingMap {
   bool bound() const noexcept { return state_ != nullptr; }
 
   /// Begins to enter a depth image that was taken at `pose` and time `t`, in nanoseconds of your clock. The image must
-  /// stay until the job is done. kRunning; or kNonFiniteInput, kPoseInvalid (no unit quaternion), kCameraInvalid,
-  /// kOutOfMap (the pose is not in the window), kPixelsFull, kClockBehind (`t` is before the last frame's), or
-  /// kInvalidArgument (not bound, another job is not finished, or no image). A call that is refused changes nothing.
+  /// stay until the job is done. Frames of several sensors may come in any order: one may be older than the latest
+  /// frame by kMaxFrameDelay. It clears no obstacle that a newer frame may have hit. kRunning; or kNonFiniteInput,
+  /// kPoseInvalid (no unit quaternion), kCameraInvalid, kOutOfMap (the pose is not in the window), kPixelsFull,
+  /// kClockBehind (`t` is further behind), or kInvalidArgument (not bound, another job is not finished, or no image).
+  /// A call that is refused changes nothing.
   Status begin_frame(const DepthView& view, const Pose& pose, int64_t t) noexcept;
   /// Begins to enter a scan: `count` points of yours, world frame, metres, measured from `origin`. The sensor must
   /// promise what Beams says. A point that is not finite is skipped: its beam is missing. A point beyond the range

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 12
+#define TERN_ABI 13
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32

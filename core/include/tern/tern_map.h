@@ -32,7 +32,7 @@ typedef struct { tern_vec3 position; double quaternion[4]; } tern_pose;
 typedef struct {
   const uint16_t* z16; const float* z32;
   int32_t width, height, stride;
-  double fx, fy, cx, cy, scale, min, max;
+  double fx, fy, cx, cy, scale, min, max, no_return;
 } tern_depth_view;
 /* Beams of a scan of yours: tern::Beams. A range of +infinity: nothing came back; NaN: nothing is known. */
 typedef struct {

@@ -112,6 +112,9 @@ void lay_out(MapState& state, std::uint64_t* words) {
     words += layer;
   }
   for (std::size_t k = 0; k < 4 * layer; ++k) state.seen[k] = 0;
+  state.hit_times = reinterpret_cast<std::int64_t*>(words);
+  words += brick_count(state.spec.dims);
+  state.forget_times();
   state.image = reinterpret_cast<Depth*>(words);
   state.image_entries = image_entries(state.spec);
   for (std::size_t k = 0; k < image_words(state.spec); ++k) words[k] = 0;
@@ -154,7 +157,7 @@ size_t map_words(const MapSpec& spec) noexcept {
   const std::size_t grid = grid_words(spec.dims);
   if (grid == 0 || spec.pixels < 1 || spec.pixels > kMaxPixels || !sensor_in_range(spec.scan_pixel)) return 0;
   if (!scans_fit(spec)) return 0;
-  return state_words() + 2 * grid + 4 * layer_words(spec.dims) + image_words(spec);
+  return state_words() + 2 * grid + 4 * layer_words(spec.dims) + brick_count(spec.dims) + image_words(spec);
 }
 
 Status RollingMap::bind(const MapSpec& spec, uint64_t* words, size_t word_count, Field* field) noexcept {

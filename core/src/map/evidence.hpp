@@ -51,6 +51,11 @@ inline std::uint64_t open_to_misses(const Evidence& e) noexcept {
   return ~e.seen | e.blocked | e.low | e.high;
 }
 
+/// The voxels that a miss would change without taking anything away from hits.
+inline std::uint64_t open_to_sight(const Evidence& e) noexcept {
+  return ~(e.seen | e.blocked | e.low | e.high);
+}
+
 }  // namespace tern
 
 #endif

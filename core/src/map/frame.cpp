@@ -41,7 +41,7 @@ bool normalise(const double (&given)[4], double (&unit)[4]) {
 
 bool numbers_are_finite(const DepthView& view) {
   return finite(view.fx) && finite(view.fy) && finite(view.cx) && finite(view.cy) && finite(view.scale) &&
-         finite(view.min) && finite(view.max);
+         finite(view.min) && finite(view.max) && finite(view.no_return);
 }
 
 /// The larger of the tangents of the rays through the image's two edges on one axis.
@@ -53,6 +53,7 @@ bool optics_fit(const DepthView& view) {
   if (!(view.fx > 0.0) || !(view.fy > 0.0) || !(view.scale > 0.0) || !(view.min >= 0.0) || !(view.min < view.max)) {
     return false;
   }
+  if (!(view.no_return >= 0.0)) return false;
   return tangent(view.fx, view.cx, view.width) <= kMaxTangent && tangent(view.fy, view.cy, view.height) <= kMaxTangent;
 }
 
@@ -90,15 +91,22 @@ View view_of(const MapState& state, const DepthView& image, const Vec3 (&axes)[3
 
 Status check_sensor(const MapState& state, const Vec3& position, std::int64_t t) noexcept {
   if (state.task != Task::kIdle) return Status::kInvalidArgument;
-  if (state.timed && t < state.time) return Status::kClockBehind;
+  if (state.lateness(t) > std::uint64_t{kMaxFrameDelay}) return Status::kClockBehind;
   if (!finite(position)) return Status::kNonFiniteInput;
   return state.route.inside(state.route.voxel_of(state.route.to_local(position))) ? Status::kOk : Status::kOutOfMap;
 }
 
-void MapState::age_to(std::int64_t t) noexcept {
+std::uint64_t MapState::lateness(std::int64_t t) const noexcept {
   // The difference may not fit into 63 bits; unsigned, it is exact.
-  const std::uint64_t since = timed ? static_cast<std::uint64_t>(t) - static_cast<std::uint64_t>(time) : 0;
-  time = t;
+  return timed && t < time ? static_cast<std::uint64_t>(time) - static_cast<std::uint64_t>(t) : 0;
+}
+
+void MapState::age_to(std::int64_t t) noexcept {
+  frame.time = t;
+  frame.late = lateness(t) > 0;
+  const bool passes = timed && !frame.late;
+  const std::uint64_t since = passes ? static_cast<std::uint64_t>(t) - static_cast<std::uint64_t>(time) : 0;
+  if (!frame.late) time = t;
   timed = true;
   ++frames;
   frame.forgotten[0] = frame.forgotten[1] = {0, 0};
@@ -194,31 +202,36 @@ Evidence MapState::evidence_at(std::size_t word, bool forgotten) const noexcept 
   return {forgotten ? 0 : seen[word], low[word], high[word], route.obstacle_row(0, 0)[word]};
 }
 
-void MapState::want_brick(const VoxelBox& brick) noexcept {
+void MapState::want_brick(const VoxelBox& brick, std::int64_t latest_hit) noexcept {
   const std::int32_t k = brick.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
   const bool forget_first = forgets(brick.z.begin / kBrick);
+  frame.clears = !frame.late || (frame.time >= marked && frame.time >= latest_hit);
   frame.wanted = frame.free = BrickWords{};
   for (std::int32_t z = brick.z.begin; z < brick.z.end; ++z) {
     for (std::int32_t y = brick.y.begin; y < brick.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      frame.wanted.words[z - brick.z.begin][y - brick.y.begin] =
-          open_to_misses(evidence_at(at, forget_first)) & ~hit[at] & valid;
+      const Evidence now = evidence_at(at, forget_first);
+      const std::uint64_t open = frame.clears ? open_to_misses(now) : open_to_sight(now);
+      frame.wanted.words[z - brick.z.begin][y - brick.y.begin] = open & ~hit[at] & valid;
     }
   }
 }
 
-void MapState::enter_brick(const VoxelBox& brick, Work& work) noexcept {
+void MapState::enter_brick(const VoxelBox& brick, std::int64_t& latest_hit, Work& work) noexcept {
   const std::int32_t k = brick.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
   const bool forget_first = forgets(brick.z.begin / kBrick);
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);
+  bool any_hit = false;
   int entered = 0;
   for (std::int32_t z = brick.z.begin; z < brick.z.end; ++z) {
     for (std::int32_t y = brick.y.begin; y < brick.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      const std::uint64_t miss = frame.free.words[z - brick.z.begin][y - brick.y.begin] & valid;
+      const std::uint64_t wanted = frame.clears ? valid : frame.wanted.words[z - brick.z.begin][y - brick.y.begin];
+      const std::uint64_t miss = frame.free.words[z - brick.z.begin][y - brick.y.begin] & wanted;
+      any_hit = any_hit || hit[at] != 0;
       if (miss == 0 && hit[at] == 0 && !forget_first) continue;
       const Evidence now = after(evidence_at(at, forget_first), hit[at], miss, hits, misses);
       if ((now.seen & ~seen[at]) != 0) ++learned;
@@ -230,6 +243,7 @@ void MapState::enter_brick(const VoxelBox& brick, Work& work) noexcept {
       ++entered;
     }
   }
+  if (any_hit && latest_hit < frame.time) latest_hit = frame.time;
   // Each word is read twice, with its evidence in four layers; one that changes is written in seven.
   work.spend(ops::kWord * (8 * kBrick * kBrick + 18 * entered));
 }
@@ -238,7 +252,8 @@ void MapState::carve_brick(std::int64_t index, Work& work) noexcept {
   const VoxelBox brick = brick_at(index);
   work.spend(ops::kPiece);
   if (brick.x.begin >= brick.x.end) return;
-  if (frame.part == 0) want_brick(brick);
+  std::int64_t& latest_hit = hit_times[index];
+  if (frame.part == 0) want_brick(brick, latest_hit);
   const int parts = frame.parts_of_view();
   const int view = frame.part / parts;
   const bool begins = frame.part == view * parts;
@@ -248,7 +263,7 @@ void MapState::carve_brick(std::int64_t index, Work& work) noexcept {
   frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // usually, no cube is left for a second part
   if (frame.part < frame.view_count * parts) return;
   frame.part = 0;
-  enter_brick(brick, work);
+  enter_brick(brick, latest_hit, work);
 }
 
 }  // namespace tern

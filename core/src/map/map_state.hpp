@@ -45,6 +45,15 @@ enum class Task : std::uint8_t {
   kCopy,   ///< planes of the route grid, for a snapshot
 };
 
+/// Earlier than any frame.
+constexpr std::int64_t kNever = INT64_MIN;
+
+/// Bricks of a window.
+inline std::size_t brick_count(const Voxel& dims) noexcept {
+  return static_cast<std::size_t>((dims.x + 63) / 64) * static_cast<std::size_t>((dims.y + kBrick - 1) / kBrick) *
+         static_cast<std::size_t>((dims.z + kBrick - 1) / kBrick);
+}
+
 /// The frame or scan that is being processed.
 struct Frame {
   DepthView image;     ///< a copy; the depths that it points to are the caller's
@@ -56,11 +65,14 @@ struct Frame {
   View views[kFaces];
   Projector projectors[kFaces];  ///< one for each view
   int view_count;
+  std::int64_t time;        ///< when it was taken
+  bool late;                ///< a newer one was entered before it
   VoxelBox box;             ///< voxels that may change; the bricks that it meets are carved
   IndexRange forgotten[2];  ///< layers of bricks whose voxels have aged; two ranges if they wrap around
   // Progress in the brick that is being carved, one view after the other. A view of a scan takes longer, so it has two
   // parts.
   int part;           ///< the next part, counted over all views; 0 before the first
+  bool clears;        ///< its misses may clear voxels of this brick
   CubeBits left;      ///< cubes for the view's second part
   BrickWords wanted;  ///< voxels that a miss would change
   BrickWords free;    ///< voxels that the views so far see whole
@@ -83,10 +95,12 @@ class MapState {
   std::uint64_t* hit;  ///< voxels hit by the current frame; all 0 between frames
   Depth* image;
   std::int64_t image_entries;
+  std::int64_t* hit_times;  ///< for each brick, the time of the latest frame that hit a voxel in it
 
   std::uint64_t learned;  ///< how often a frame saw voxels of a word for the first time
-  std::int64_t time;      ///< time of the last frame
+  std::int64_t time;      ///< the latest time of a frame
   bool timed;             ///< false before the first frame
+  std::int64_t marked;    ///< frames older than this clear nothing: then something was marked, or bricks moved
   std::uint64_t frames;   ///< number of frames begun, scans included
   std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of bricks
   std::int32_t forget;    ///< the next layer to forget
@@ -127,8 +141,9 @@ class MapState {
   void make_pyramid_row(std::int64_t index, Work& work) noexcept;
   void carve_brick(std::int64_t index, Work& work) noexcept;
   /// Enters a frame into a brick: its hits, and a miss for each voxel that was carved.
-  void enter_brick(const VoxelBox& brick, Work& work) noexcept;
-  void want_brick(const VoxelBox& brick) noexcept;
+  void enter_brick(const VoxelBox& brick, std::int64_t& latest_hit, Work& work) noexcept;
+  /// Begins a brick: what of it the frame may change.
+  void want_brick(const VoxelBox& brick, std::int64_t latest_hit) noexcept;
   Evidence evidence_at(std::size_t word, bool forgotten) const noexcept;
   void slide_plane(std::int32_t index, Work& work) noexcept;
   void copy_plane(std::int32_t z, Work& work) const noexcept;
@@ -168,6 +183,10 @@ class MapState {
   void inflate() noexcept;
   /// Records the time of a frame, and finds the layers that have aged by then.
   void age_to(std::int64_t t) noexcept;
+  /// By how much a frame of this time would be older than the latest one, nanoseconds; 0 if it is not.
+  std::uint64_t lateness(std::int64_t t) const noexcept;
+  /// Forgets the times of frames and hits.
+  void forget_times() noexcept;
 };
 
 /// The window in the world.

@@ -25,6 +25,7 @@ constexpr float kSaturated = 65535.0f;
 /// separate selections, which the compiler can vectorise.
 struct Scale {
   float unit, min, max;
+  bool no_return;  ///< a pixel of 0 or infinity becomes kNoReturn
 
   float depth(float number) const {
     const float z = number * unit;
@@ -37,13 +38,19 @@ struct Scale {
 template <typename Number>
 void depths(const Number* numbers, const Scale& scale, std::int32_t count, float* z) {
   for (std::int32_t k = 0; k < count; ++k) z[k] = scale.depth(static_cast<float>(numbers[k]));
+  if (!scale.no_return) return;
+  for (std::int32_t k = 0; k < count; ++k) {
+    const float number = static_cast<float>(numbers[k]);
+    z[k] = (number >= 0.0f && number <= 0.0f) || number >= kNoReturn ? kNoReturn : z[k];
+  }
 }
 
 Scale scale_of(const DepthView& view) {
   const float unit = static_cast<float>(view.scale);
   const float max = static_cast<float>(view.max);
   const float saturated = kSaturated * unit;
-  return {unit, static_cast<float>(view.min), view.z16 != nullptr && saturated < max ? saturated : max};
+  return {unit, static_cast<float>(view.min), view.z16 != nullptr && saturated < max ? saturated : max,
+          view.no_return > 0.0};
 }
 
 /// Reads the depths of `count` pixels of row v from u on.
@@ -78,13 +85,13 @@ void judge_chunk(const DepthView& view, const Scale& scale, const Support& suppo
   }
 }
 
-/// Converts a measured depth to the depth that is certainly free, in units of Depth. It subtracts one unit for
-/// rounding.
+/// Converts a depth to the depth that is certainly free, in units of Depth. It subtracts one unit for rounding.
 struct FreeDepth {
   float margin, margin_square, range, units;
+  float no_return;  ///< DepthView::no_return
 
   Depth of(float z) const {
-    float metres = z - (margin + margin_square * z * z);
+    float metres = z < kNoReturn ? z - (margin + margin_square * z * z) : no_return;
     metres = metres < range ? metres : range;
     const float whole = metres * units - 1.0f;
     return static_cast<Depth>(static_cast<std::int32_t>(whole > 0.0f ? whole : 0.0f));
@@ -138,7 +145,7 @@ void MapState::read_pixels(std::int32_t v, Work& work) noexcept {
   const Scale scale = scale_of(depth);
   const float range = static_cast<float>(spec.range);
   const FreeDepth free{static_cast<float>(spec.depth_margin), static_cast<float>(spec.depth_margin_square), range,
-                       static_cast<float>(frame.views[0].units)};
+                       static_cast<float>(frame.views[0].units), static_cast<float>(depth.no_return)};
   const Support support{static_cast<float>(spec.cell), free.margin, free.margin_square, spec.support};
   const RowOfRays rays = rays_of(frame.views[0], frame.origin, spec.cell, range, v);
   Depth* row = frame.views[0].pyramid.row(v);

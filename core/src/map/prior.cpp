@@ -36,6 +36,7 @@ VoxelBox all_voxels(const Voxel& dims) {
 
 /// Blocks the voxels in `hit` at once, whatever MapSpec::hits says.
 void enter_marks(MapState& state) {
+  if (state.timed) state.marked = state.time;
   visit_words(all_voxels(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
     const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
     const std::uint64_t marked = state.hit[at];

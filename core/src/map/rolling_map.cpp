@@ -20,11 +20,6 @@ std::int64_t pyramid_rows(const Frame& frame) {
   return rows * frame.view_count;
 }
 
-std::size_t bricks(const MapState& state) {
-  return static_cast<std::size_t>(state.row_words()) *
-         static_cast<std::size_t>((state.spec.dims.y + kBrick - 1) / kBrick) * static_cast<std::size_t>(state.layers());
-}
-
 bool touches(const VoxelBox& box) {
   return box.x.begin < box.x.end && box.y.begin < box.y.end && box.z.begin < box.z.end;
 }
@@ -57,7 +52,7 @@ Task task_after(Task task) {
 Operations bricks_operations(const MapState& state, bool around) {
   const Operations brick = ops::kPiece + (around ? kFaces * 2 : 1) * (ops::kPiece + carve_operations(around)) +
                            ops::kWord * 26 * kBrick * kBrick;
-  return brick * static_cast<Operations>(bricks(state));
+  return brick * static_cast<Operations>(brick_count(state.spec.dims));
 }
 
 /// The most operations of a slide or a snapshot, without inflations.
@@ -90,7 +85,7 @@ std::int64_t MapState::pieces() const noexcept {
     case Task::kPyramids:
       return pyramid_rows(frame);
     case Task::kBricks:
-      return static_cast<std::int64_t>(bricks(*this));
+      return static_cast<std::int64_t>(brick_count(spec.dims));
     case Task::kInflateRoute:
     case Task::kInflateSafe:
       return GridWords::inflation_pieces(spec.dims);
@@ -200,9 +195,15 @@ bool RollingMap::take_added(Box& world) noexcept {
   return true;
 }
 
+void MapState::forget_times() noexcept {
+  timed = false;
+  marked = kNever;
+  for (std::size_t k = 0; k < brick_count(spec.dims); ++k) hit_times[k] = kNever;
+}
+
 Status RollingMap::forget_time() noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
-  state_->timed = false;
+  state_->forget_times();
   return Status::kOk;
 }
 

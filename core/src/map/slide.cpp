@@ -172,6 +172,7 @@ void MapState::slide_plane(std::int32_t index, Work& work) noexcept {
 }
 
 void MapState::move_origin() noexcept {
+  if (timed) marked = time;
   added = {{0, spec.dims.x}, {0, spec.dims.y}, {0, spec.dims.z}};
   base = {base.x + slide_by.x, base.y + slide_by.y, base.z + slide_by.z};
   GridWords(route).move_to(window_origin());

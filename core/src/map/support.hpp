@@ -12,13 +12,17 @@ namespace tern {
 
 /// Pixels around one.
 constexpr std::int32_t kNeighbours = 8;
+/// The depth of a pixel that nothing came back to, if that says something (DepthView::no_return). It hits nothing.
+constexpr float kNoReturn = __builtin_inff();
 
-/// Two depths agree if they differ by at most a voxel and both of their errors.
+/// Two depths agree if they differ by at most a voxel and both of their errors; kNoReturn agrees with itself alone.
 struct Support {
   float cell, margin, margin_square;
   std::int32_t least;  ///< pixels that must agree
 
-  float tolerance(float z) const noexcept { return cell + 2.0f * (margin + margin_square * z * z); }
+  float tolerance(float z) const noexcept {
+    return z < kNoReturn ? cell + 2.0f * (margin + margin_square * z * z) : 0.0f;
+  }
 };
 
 /// The depth up to which a pixel sees, and the depth that it hits; 0 for none.
@@ -35,7 +39,7 @@ inline Judged judge_pixel(const Support& support, const float* above, const floa
   std::int32_t agreeing = 0;
   float nearest = z;
   for (const float n : around) {
-    const float off = n - z;
+    const float off = n <= z && n >= z ? 0.0f : n - z;
     agreeing += (off <= tolerance && -off <= tolerance) ? 1 : 0;
     nearest = n < nearest ? n : nearest;
   }

@@ -98,9 +98,10 @@ void list_view(Words& words, View& view) {
   words(view.scale);
   words(view.min);
   words(view.max);
+  words(view.no_return);
 }
 /// The time, the pose, the view, and which kind of numbers follows.
-constexpr std::size_t kFrameFields = 1 + 7 + 9 + 1;
+constexpr std::size_t kFrameFields = 1 + 7 + 10 + 1;
 
 template <typename Words, typename Spec>
 void list_flight_spec(Words& words, Spec& spec) {

@@ -45,19 +45,22 @@ class RollingMap:
         return _is_running(lib.tern_map_step(self.struct, 0))
 
     def begin_depth(self, depth: npt.ArrayLike, camera: Sequence[float], position: Sequence[float],
-                    quaternion: Sequence[float], t: int, nearest: float = 0.1, furthest: float = 10.0) -> None:
+                    quaternion: Sequence[float], t: int, nearest: float = 0.1, furthest: float = 10.0,
+                    no_return: float = 0.0) -> None:
         """Begins to enter a depth image in metres, shape (height, width); NaN and 0 are no measurement.
 
         camera: fx, fy, cx, cy in pixels. position, quaternion (w, x, y, z): the camera's, from its axes (right, down,
-        ahead) to the world's. t: nanoseconds. nearest, furthest: what the camera measures, metres. Raises TernError,
-        also while the map is busy.
+        ahead) to the world's. t: nanoseconds. nearest, furthest: what the camera measures, metres. no_return: with
+        more than 0, pixels of 0 or inf say that nothing is nearer than so many metres. Raises TernError, also while
+        the map is busy.
         """
         image = np.ascontiguousarray(depth, dtype=np.float32)
         height, width = image.shape
         fx, fy, cx, cy = camera
         frame = ffi.new("tern_depth_view*", {
             "z32": ffi.cast("float*", image.ctypes.data), "width": width, "height": height, "stride": width,
-            "fx": fx, "fy": fy, "cx": cx, "cy": cy, "scale": 1.0, "min": nearest, "max": furthest})
+            "fx": fx, "fy": fy, "cx": cx, "cy": cy, "scale": 1.0, "min": nearest, "max": furthest,
+            "no_return": no_return})
         pose = ffi.new("tern_pose*", {"position": vector(position), "quaternion": list(quaternion)})
         self._begin(lib.tern_map_begin_frame(self.struct, frame, pose, t), image)
 

@@ -24,6 +24,7 @@ tern::DepthView view_of(const FlightSettings& s, const float* depths) {
   view.scale = 1.0;
   view.min = s.sensor_min;
   view.max = 1000.0;
+  view.no_return = s.no_return;
   return view;
 }
 

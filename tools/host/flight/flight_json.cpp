@@ -39,6 +39,7 @@ Json settings_json(const FlightSettings& s) {
           {"mount_offset", {s.mount.offset.x, s.mount.offset.y, s.mount.offset.z}},
           {"mount_pitch", s.mount.pitch},
           {"gimbal_pitch", {s.mount.gimbal_low, s.mount.gimbal_high}},
+          {"no_return", s.no_return},
           {"depth_noise", s.depth_noise},
           {"depth_error", {s.depth_error.base, s.depth_error.square}},
           {"holes", s.holes},

@@ -74,6 +74,7 @@ struct FlightSettings {
   double sensor_latency = 0.033;
   SensorMount mount;         ///< of the camera
   double pixel_part = 1.0;   ///< how much of a pixel's width and height the camera sees: as depths_of_faces()
+  double no_return = 0.0;    ///< as DepthView::no_return, for the camera
   double depth_noise = 0.0;  ///< largest error, metres a metre of depth
   DepthError depth_error;    ///< and what comes on top
   double holes = 0.0;        ///< part of the camera's image that has no depth, in round patches

@@ -163,8 +163,10 @@ bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) co
   for (int y = pixel(v[0]); y <= pixel(v[1]); ++y) {
     for (int x = pixel(u[0]); x <= pixel(u[1]); ++x) {
       const double z = view.scale * static_cast<double>(view.z32[y * view.stride + x]);
+      const bool nothing = view.no_return > 0.0 && (z == 0.0 || (std::isinf(z) && z > 0.0));
       const bool measured = z > 0.0 && z >= view.min && z < view.max;
-      if (!measured || z - spec_.depth_margin - spec_.depth_margin_square * z * z < back) return false;
+      const double free = nothing ? view.no_return : z - spec_.depth_margin - spec_.depth_margin_square * z * z;
+      if ((!nothing && !measured) || free < back) return false;
     }
   }
   return back <= spec_.range;

@@ -109,6 +109,7 @@ void add_sensor_setters(Setters& setters) {
   setters["mount_offset"] = set_offset;
   setters["mount_pitch"] = set_pitch;
   setters["gimbal_pitch"] = set_gimbal;
+  setters["no_return"] = real(&S::no_return, 0.0, 1000.0);
   setters["depth_noise"] = real(&S::depth_noise, 0.0, 0.5);
   setters["depth_error"] = set_error;
   setters["holes"] = real(&S::holes, 0.0, 1.0);
