@@ -12,6 +12,7 @@
 #include "support/chain.hpp"
 #include "tern/trajectory.hpp"
 #include "trajectory/hodograph_points.hpp"
+#include "trajectory/turning.hpp"
 
 namespace {
 
@@ -193,6 +194,43 @@ TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurations) {
     EXPECT_EQ(scale->origin[i].index, c->scale.origin[i].index);
   }
   for (int i = 0; i < other->plane_count; ++i) EXPECT_EQ(other->planes[i].normal.x, c->problem.planes[i].normal.x);
+}
+
+/// A segment without unknowns has no points. Here it is the first one, which ends at rest at a via, and then the only
+/// one of a chain.
+TEST(Programme, FloorsOfThrustAreThoseOfTheirSegments) {
+  tern_test::Random random(8);
+  const auto c = std::make_unique<Case>(random);
+  Chain& chain = c->chain;
+  ASSERT_GE(chain.count, 4);
+  Limits limits = c->limits;
+  limits.rate_max = 3.0;
+  const auto turning = std::make_unique<Turning>();
+  first_turning(chain, limits, *turning);
+  chain.via_joint_count = 1;
+  chain.via_joints[0] = {};
+  chain.via_joints[0].segment = 1;
+  chain.via_joints[0].stop = true;
+  chain.via_joints[0].position = c->corridor.polyhedra[0].to;
+  assemble(chain, c->corridor, limits, turning.get(), c->problem, c->scale);
+  int floors = 0;
+  for (int g = 0; g < c->problem.group_count; ++g) {
+    const QpGroup& group = c->problem.groups[g];
+    ASSERT_LT(group.point_begin, group.point_end);
+    ASSERT_LE(group.point_end, c->problem.point_count);
+    const int segment = group.plane_begin - c->scale.floors;
+    if (segment < 0 || segment >= chain.count) continue;
+    ++floors;
+    for (int k = group.point_begin; k < group.point_end; ++k) {
+      EXPECT_EQ(c->scale.origin[k].order, 2);
+      EXPECT_EQ(c->scale.origin[k].segment, segment);
+    }
+  }
+  EXPECT_EQ(floors, chain.count - 1);
+  chain.count = 1;
+  chain.via_joint_count = 0;
+  assemble(chain, c->corridor, limits, turning.get(), c->problem, c->scale);
+  EXPECT_EQ(c->problem.group_count, 0);
 }
 
 TEST(HodographPoints, BoundTheWholeCurve) {

@@ -1,10 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Random corridors with the limits of a vehicle: plans keep them at dense samples, and fast ones use them.
+// Random corridors with the limits of a vehicle: plans keep them at dense samples, fast ones use them, and none depends
+// on what was planned before.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "base/math.hpp"
@@ -26,6 +28,16 @@ struct VehiclePlan {
     Work work{0xFFFFFFFFu};
     trajectory_advance(*stage, corridor, work, plan);
     return stage->status;
+  }
+  bool same_bits(const VehiclePlan& other) const {
+    bool same = plan.count == other.plan.count;
+    for (int i = 0; same && i < plan.count; ++i) {
+      const Segment& a = plan.segments[i];
+      const Segment& b = other.plan.segments[i];
+      same = std::memcmp(&a.duration, &b.duration, sizeof a.duration) == 0 &&
+             std::memcmp(a.points, b.points, sizeof a.points) == 0;
+    }
+    return same;
   }
   double use(const Limits& limits) const {
     double most = 0.0;
@@ -70,6 +82,35 @@ TEST(VehiclePlans, KeepAndUseTheLimits) {
   }
   EXPECT_GT(optimised, cases * 7 / 10);
   EXPECT_GT(moving, cases / 6);
+}
+
+/// Every other plan turns back to where it starts, in one segment: its programme has no unknowns.
+TEST(VehiclePlans, DependOnNothingThatWasPlannedBefore) {
+  tern_test::Random random(42);
+  VehiclePlan used;
+  int alone = 0;
+  const int cases = tern_test::scaled(100);
+  for (int i = 0; i < cases; ++i) {
+    const bool turns_back = i % 2 == 1;
+    Corridor corridor = tern_test::random_corridor(random, turns_back ? 1 : 3, 12.0, 0.3);
+    TrajectoryQuery query{};
+    query.start = tern_test::resting(corridor.polyhedra[0].from);
+    query.goal = tern_test::resting(corridor.polyhedra[corridor.count - 1].to);
+    query.limits = tern_test::random_vehicle(random);
+    query.time_weight = 40.0;
+    if (turns_back) {
+      corridor.polyhedra[0] = tern_test::box_around(query.start.position, query.start.position, 2.0);
+      query.goal.position = query.start.position;
+      query.start.velocity = {random.real(-0.1, 0.1), random.real(-0.1, 0.1), random.real(-0.1, 0.1)};
+    }
+    VehiclePlan fresh;
+    ASSERT_EQ(used.make(corridor, query), fresh.make(corridor, query)) << i;
+    ASSERT_TRUE(used.same_bits(fresh)) << i;
+    ASSERT_EQ(used.stage->optimiser, fresh.stage->optimiser) << i;
+    ASSERT_EQ(used.stage->iterations, fresh.stage->iterations) << i;
+    alone += turns_back && fresh.stage->chain.count == 1 ? 1 : 0;
+  }
+  EXPECT_GE(alone, cases / 4);
 }
 
 }  // namespace

@@ -212,9 +212,12 @@ void add_turning_constraints(const Chain& chain, const MotionLimits& limits, con
   for (int i = 0; i < chain.count; ++i) {
     const double fall = (kGravity - turning.thrust[i]) / scale.unit[2] * (1.0 - kConstraintMargin);
     problem.planes[problem.plane_count++] = Halfspace{{0.0, 0.0, -1.0}, fall};
-    const QpGroup& group = problem.groups[acceleration + i];
-    problem.groups[problem.group_count++] =
-        QpGroup{group.point_begin, group.point_end, problem.plane_count - 1, problem.plane_count};
+  }
+  // A segment whose accelerations are all constant has no group.
+  for (int g = acceleration, end = problem.group_count; g < end; ++g) {
+    const QpGroup& group = problem.groups[g];
+    const int floor = scale.floors + scale.origin[group.point_begin].segment;
+    problem.groups[problem.group_count++] = QpGroup{group.point_begin, group.point_end, floor, floor + 1};
   }
   const double most =
       kMostTurn * limits.rate * (limits.acceleration.thrust > 0.0 ? limits.acceleration.thrust : kMostThrust);
