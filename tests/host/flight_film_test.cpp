@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/flight/flight_world.hpp"
+#include "host/page/replayed_run.hpp"
 #include "host/picture/flight_picture.hpp"
 
 namespace {
@@ -57,6 +58,25 @@ TEST_F(FlightFilmTest, TheMotionIsTheTrack) {
     EXPECT_NEAR(norm, 1.0, 1e-3);
     EXPECT_NEAR(columns.at("clearance")[i].get<double>(), tern_host::clearance(world_, result_.track[i].position),
                 5.1e-4);
+  }
+}
+
+/// The film of the record, flown again: the same plans, and the vehicle where it was told to be.
+TEST_F(FlightFilmTest, TheRecordShowsTheSamePlans) {
+  std::string record;
+  tern_host::simulate_flight(world_, {}, &record);
+  const Json run = Json::parse(tern_host::replayed_run("wood.record", record));
+  EXPECT_EQ(run.at("name"), "wood.record");
+  EXPECT_EQ(run.at("goal"), run_.at("goal"));
+  ASSERT_GT(film("commits").size(), 3u);
+  EXPECT_EQ(run.at("film").at("commits"), film("commits"));
+  EXPECT_EQ(run.at("film").at("dropped"), film("dropped"));
+  EXPECT_GT(run.at("film").at("known").size(), 0u);
+  const Json& columns = run.at("motion").at("columns");
+  ASSERT_GE(columns.at("px").size(), result_.track.size() - 1);
+  for (std::size_t i = 0; i + 1 < result_.track.size(); i += 50) {
+    EXPECT_NEAR(columns.at("px")[i].get<double>(), result_.track[i].commanded.x, 5.1e-4);
+    EXPECT_TRUE(columns.at("clearance")[i].is_null());
   }
 }
 

@@ -8,7 +8,11 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/output_paths.hpp"
+#include "host/atomic_file.hpp"
 #include "host/flight/flight_replay.hpp"
+#include "host/page/page.hpp"
+#include "host/page/replayed_run.hpp"
 #include "host/replay.hpp"
 #include "host/text_records.hpp"
 #include "tern/self_test.hpp"
@@ -37,17 +41,31 @@ int replay_plan(const std::string& path, const std::string& bytes) {
   return judge(replayed.difference, replayed.record->configuration);
 }
 
-int replay_flight(const std::string& path, const std::string& bytes) {
+struct ReplayOptions {
+  std::string record, html;
+};
+
+int replay_flight(const ReplayOptions& options, const std::string& bytes) {
+  const std::string& path = options.record;
+  if (!options.html.empty()) {
+    const std::string name = path.substr(path.find_last_of('/') + 1);
+    tern_host::write_file(options.html, tern_host::page_html({tern_host::replayed_run(name, bytes)}));
+  }
   const tern_host::FlightReplay replayed = tern_host::replay_flight(bytes);
   std::printf("%s: %d ticks in %.3f s, %d frames", path.c_str(), replayed.ticks, replayed.seconds, replayed.frames);
   if (replayed.different_ticks > 0) std::printf(", %d ticks differ", replayed.different_ticks);
   return judge(replayed.difference, replayed.configuration);
 }
 
-int replay(const std::string& path) {
+int replay(const ReplayOptions& options) {
+  const std::string& path = options.record;
+  if (!options.html.empty()) tern_host::check_page(1);
+  check_output_paths({path}, {options.html});
   try {
     const std::string bytes = tern_host::read_bytes(path, kMostBytes);
-    return tern_host::is_flight_record(bytes) ? replay_flight(path, bytes) : replay_plan(path, bytes);
+    if (tern_host::is_flight_record(bytes)) return replay_flight(options, bytes);
+    if (!options.html.empty()) throw std::runtime_error("--html shows recorded flights, and this is a query");
+    return replay_plan(path, bytes);
   } catch (const tern_host::RecordError&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -58,15 +76,16 @@ int replay(const std::string& path) {
 }  // namespace
 
 void add_replay_command(CLI::App& app, int& exit_status) {
-  const auto path = std::make_shared<std::string>();
+  const auto options = std::make_shared<ReplayOptions>();
   CLI::App* const command =
       app.add_subcommand("replay", "Plan a recorded query or fly a recorded flight again, and compare the bits");
   command
-      ->add_option("RECORD", *path,
+      ->add_option("RECORD", options->record,
                    "Record of `tern plan --record`, `tern fly --record`, tern_record_plan() or a tern_flight_recorder")
       ->required();
+  command->add_option("--html", options->html, "A page of a recorded flight, to turn and play")->type_name("FILE");
   command->footer("Exit status 3 where the answer differs from the record's.");
-  command->callback([path, &exit_status] { exit_status = replay(*path); });
+  command->callback([options, &exit_status] { exit_status = replay(*options); });
 }
 
 }  // namespace tern_cli

@@ -2,7 +2,9 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """screenshots.py TERN DEMO FOLDER: page and demo on a desktop and a phone, light and dark, to FOLDER/page/; and a flight
-without controls around it to FOLDER/flight.png."""
+without controls around it to FOLDER/flight.png.
+
+screenshots.py --flight PAGE FILE: the flight of a page without controls around it."""
 import base64
 import pathlib
 import struct
@@ -79,7 +81,20 @@ def fly(program, world, folder):
     return page
 
 
+def take_still(tab, page, path):
+    tab.screen(**STILL)
+    tab.open(page.as_uri(), "window.page && page.views")
+    tab.run(STAGE_ALONE)
+    tab.run(f"page.player.set({TELLING}(0.6, 0.9))")
+    take(tab, path)
+
+
 def main():
+    if sys.argv[1] == "--flight":
+        page, path = (pathlib.Path(name).resolve() for name in sys.argv[2:])
+        with browser.Browser(browser.find()) as tab:
+            take_still(tab, page, path)
+        return
     program, demo, folder = sys.argv[1], *(pathlib.Path(path).resolve() for path in sys.argv[2:])
     (folder / "page").mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch, browser.Browser(browser.find()) as tab:
@@ -92,12 +107,7 @@ def main():
                     tab.run("page.player.playing && page.player.toggle()")
                     tab.run(f"page.player.set(page.runs[0].film ? {TELLING}(0.5, 0.9) : 0.37 * page.player.end)")
                     take(tab, folder / "page" / f"{name}_{screen}_{theme}.png")
-        still = fly(program, STILL_WORLD, scratch)
-        tab.screen(**STILL)
-        tab.open(still.as_uri(), "window.page && page.views")
-        tab.run(STAGE_ALONE)
-        tab.run(f"page.player.set({TELLING}(0.6, 0.9))")
-        take(tab, folder / "flight.png")
+        take_still(tab, fly(program, STILL_WORLD, scratch), folder / "flight.png")
         if tab.faults:
             sys.exit(f"errors in the browser: {tab.faults}")
 

@@ -52,13 +52,14 @@ int replay(const std::string& record, const std::string& bag) try {
   std::map<std::int64_t, trajectory_msgs::MultiDOFJointTrajectoryPoint> setpoints;
   if (!bag.empty()) setpoints = setpoints_of(bag);
   int compared = 0, different = 0;
-  const auto on_tick = [&](std::int64_t t, const tern::Command& command) {
-    const auto found = setpoints.find(t);
+  const auto on_tick = [&](const tern_host::ReplayedTick& tick) {
+    const auto found = setpoints.find(tick.t);
     if (found == setpoints.end()) return;
     const auto& point = found->second;
-    const bool same = equal(point.transforms.at(0).translation, command.sample.position) &&
-                      equal(point.velocities.at(0).linear, command.sample.velocity) &&
-                      equal(point.accelerations.at(0).linear, command.sample.acceleration);
+    const tern::Sample& commanded = tick.command.sample;
+    const bool same = equal(point.transforms.at(0).translation, commanded.position) &&
+                      equal(point.velocities.at(0).linear, commanded.velocity) &&
+                      equal(point.accelerations.at(0).linear, commanded.acceleration);
     ++compared;
     different += same ? 0 : 1;
   };

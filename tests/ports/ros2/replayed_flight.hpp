@@ -23,15 +23,14 @@ inline void expect_replays(const std::filesystem::path& file, const CameraWorld&
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   int different = 0;
   const auto equal = [](const auto& a, const tern::Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
-  const tern_host::FlightReplay replay =
-      tern_host::replay_flight(bytes, [&](std::int64_t t, const tern::Command& command) {
-        const auto sent = world.sent.find(t);
-        const bool same = sent != world.sent.end() &&
-                          equal(sent->second.transforms.at(0).translation, command.sample.position) &&
-                          equal(sent->second.velocities.at(0).linear, command.sample.velocity) &&
-                          equal(sent->second.accelerations.at(0).linear, command.sample.acceleration);
-        different += same ? 0 : 1;
-      });
+  const tern_host::FlightReplay replay = tern_host::replay_flight(bytes, [&](const tern_host::ReplayedTick& tick) {
+    const auto sent = world.sent.find(tick.t);
+    const bool same = sent != world.sent.end() &&
+                      equal(sent->second.transforms.at(0).translation, tick.command.sample.position) &&
+                      equal(sent->second.velocities.at(0).linear, tick.command.sample.velocity) &&
+                      equal(sent->second.accelerations.at(0).linear, tick.command.sample.acceleration);
+    different += same ? 0 : 1;
+  });
   EXPECT_EQ(replay.difference, "");
   EXPECT_EQ(different, 0);
   EXPECT_GT(replay.ticks, 500);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/flight/flight_events.hpp"
 
+#include <cstring>
 #include <stdexcept>
 
+#include "record/depth_runs.hpp"
 #include "record/envelope.hpp"
 
 namespace tern_host {
@@ -75,6 +77,33 @@ tern::Beams FlightEvents::beams(FlightEvent& event, std::vector<tern::Vec3>& dir
   beams.ranges = ranges.data();
   beams.count = directions.size();
   return beams;
+}
+
+tern::DepthView FlightEvents::view(FlightEvent& event, DepthPixels& pixels) const {
+  tern::DepthView view{};
+  list_view(event.words, view);
+  const std::uint64_t bits = event.words.word();
+  const std::int64_t count = std::int64_t{view.width} * view.height;
+  if (view.width < 1 || view.height < 1 || count > tern::kMaxPixels || (bits != 16 && bits != 32)) {
+    refuse(event, "has no image that this build can read");
+  }
+  view.stride = view.width;
+  const auto read = [&](auto& numbers) {
+    numbers.resize(static_cast<std::size_t>(count));
+    if (!tern::read_runs(event.words, numbers.size(), numbers.data())) {
+      refuse(event, "has runs that do not fill its image");
+    }
+  };
+  if (bits == 16) {
+    read(pixels.whole);
+    view.z16 = pixels.whole.data();
+    return view;
+  }
+  read(pixels.bits);
+  pixels.floats.resize(pixels.bits.size());
+  std::memcpy(pixels.floats.data(), pixels.bits.data(), pixels.bits.size() * sizeof pixels.bits[0]);
+  view.z32 = pixels.floats.data();
+  return view;
 }
 
 std::size_t FlightEvents::count(FlightEvent& event, std::size_t most) const {

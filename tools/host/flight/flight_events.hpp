@@ -28,6 +28,13 @@ struct FlightEvent {
   tern::WordReader words{nullptr, 0};
 };
 
+/// Room for the pixels of an image.
+struct DepthPixels {
+  std::vector<std::uint16_t> whole;
+  std::vector<std::uint32_t> bits;
+  std::vector<float> floats;
+};
+
 class FlightEvents {
  public:
   /// Throws std::runtime_error for bytes that are no record of a flight. They must outlive this.
@@ -44,6 +51,8 @@ class FlightEvents {
   /// `directions` and `ranges`. Throws where there are more points than words.
   std::vector<tern::Vec3> points(FlightEvent& event) const;
   tern::Beams beams(FlightEvent& event, std::vector<tern::Vec3>& directions, std::vector<float>& ranges) const;
+  /// An image, whose pixels are put into `pixels`. Throws where this build cannot read it.
+  tern::DepthView view(FlightEvent& event, DepthPixels& pixels) const;
   /// Throws: the last event has something that no recorder writes.
   [[noreturn]] void refuse(const FlightEvent& event, const std::string& what) const;
 

@@ -4,12 +4,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <vector>
 
 #include "host/flight/flight_events.hpp"
-#include "record/depth_runs.hpp"
 #include "record/envelope.hpp"
 #include "record/fences.hpp"
 #include "record/flight_fields.hpp"
@@ -67,7 +65,8 @@ class Player {
       case FlightEventKind::kStart:
         return start(event);
       case FlightEventKind::kGoal:
-        return flight_.set_goal(read<tern::Vec3>(event));
+        goal_ = read<tern::Vec3>(event);
+        return flight_.set_goal(goal_);
       case FlightEventKind::kMission:
         return set_mission(event);
       case FlightEventKind::kYaw:
@@ -93,7 +92,7 @@ class Player {
 
   Status bind(FlightEvent& event) {
     if (map_.bound()) events_.refuse(event, "is a second one");
-    tern::MapSpec spec{};
+    tern::MapSpec& spec = map_spec_;
     list_map_spec(event.words, spec);
     prior_.resize(events_.count(event, tern::kMaxPriorBoxes));
     for (tern::Box& box : prior_) list_box(event.words, box);
@@ -131,31 +130,9 @@ class Player {
     if (map_.busy()) return Status::kInvalidArgument;
     const auto t = read<std::int64_t>(event);
     tern::Pose pose{};
-    tern::DepthView view{};
     list_pose(event.words, pose);
-    list_view(event.words, view);
-    const std::uint64_t bits = event.words.word();
-    const std::int64_t pixels = std::int64_t{view.width} * view.height;
-    if (view.width < 1 || view.height < 1 || pixels > tern::kMaxPixels || (bits != 16 && bits != 32)) {
-      events_.refuse(event, "has no image that this build can read");
-    }
-    view.stride = view.width;
-    if (bits == 16) read_pixels(event, static_cast<std::size_t>(pixels), whole_);
-    if (bits == 32) read_pixels(event, static_cast<std::size_t>(pixels), bits_);
-    if (bits == 16) view.z16 = whole_.data();
-    if (bits == 32) {
-      floats_.resize(bits_.size());
-      std::memcpy(floats_.data(), bits_.data(), bits_.size() * sizeof bits_[0]);
-      view.z32 = floats_.data();
-    }
     ++result_.frames;
-    return map_.begin_frame(view, pose, t);
-  }
-
-  template <typename Number>
-  void read_pixels(FlightEvent& event, std::size_t count, std::vector<Number>& out) {
-    out.resize(count);
-    if (!tern::read_runs(event.words, count, out.data())) events_.refuse(event, "has runs that do not fill its image");
+    return map_.begin_frame(events_.view(event, pixels_), pose, t);
   }
 
   Status scan(FlightEvent& event) {
@@ -164,7 +141,7 @@ class Player {
     const tern::Vec3 origin = read<tern::Vec3>(event);
     ++result_.frames;
     if (event.kind == FlightEventKind::kBeams)
-      return map_.begin_scan(events_.beams(event, points_, floats_), origin, t);
+      return map_.begin_scan(events_.beams(event, points_, pixels_.floats), origin, t);
     points_ = events_.points(event);
     return map_.begin_scan(points_.data(), points_.size(), origin, t);
   }
@@ -173,7 +150,7 @@ class Player {
     if (!fences_.empty() || !words_.empty()) events_.refuse(event, "is a second one");
     const tern::Vec3 position = read<tern::Vec3>(event);
     const auto t = read<std::int64_t>(event);
-    tern::FlightSpec spec{};
+    tern::FlightSpec& spec = spec_;
     list_flight_spec(event.words, spec);
     fences_.resize(tern::kMaxFences);
     planes_.resize(tern::kMaxFencePlanes);
@@ -190,6 +167,7 @@ class Player {
     const auto policy = read<tern::ViaPolicy>(event);
     std::vector<tern::Via> points(events_.count(event, tern::kMaxMissionPoints));
     for (tern::Via& point : points) list_via(event.words, point);
+    if (!points.empty()) goal_ = points.back().position;
     return flight_.set_mission(points.data(), static_cast<std::int32_t>(points.size()), policy);
   }
 
@@ -232,9 +210,13 @@ class Player {
       if (result_.different_ticks > 0) note_distance(whole, command);
     }
     ++result_.ticks;
-    if (on_tick_) on_tick_(t, command);
+    if (on_tick_ && answer == Status::kOk)
+      on_tick_({t, report, command, map_spec_, spec_, goal_, map_, flight_, planner_, state()});
     return answer;
   }
+
+  /// A flight's state lies in the first of its words.
+  const tern::FlightState& state() const { return *reinterpret_cast<const tern::FlightState*>(words_.data()); }
 
   void note_difference() {
     if (result_.different_ticks++ > 0) return;
@@ -266,13 +248,14 @@ class Player {
   tern::RollingMap map_;
   tern::Flight flight_;
   std::vector<std::uint64_t> map_words_, words_;
+  tern::MapSpec map_spec_{};
+  tern::FlightSpec spec_{};
+  tern::Vec3 goal_{};
   std::vector<tern::Box> prior_;
   std::vector<tern::Cylinder> prior_cylinders_;
   std::vector<tern::Fence> fences_;
   std::vector<tern::Halfspace> planes_;
-  std::vector<std::uint16_t> whole_;
-  std::vector<std::uint32_t> bits_;
-  std::vector<float> floats_;
+  DepthPixels pixels_;
   std::vector<tern::Vec3> points_;
   FlightReplay result_;
   std::int64_t first_ = 0;  ///< time of the first tick, or what the clock was set to last

@@ -12,6 +12,10 @@
 
 #include "tern/flight.hpp"
 
+namespace tern {
+class FlightState;
+}
+
 namespace tern_host {
 
 struct FlightReplay {
@@ -26,8 +30,20 @@ struct FlightReplay {
 /// True for bytes that say that they are the record of a flight.
 bool is_flight_record(const std::string& bytes);
 
-/// Called after each tick with its time and what the flight commands then.
-using OnTick = std::function<void(std::int64_t t, const tern::Command& command)>;
+/// What there is after a tick.
+struct ReplayedTick {
+  std::int64_t t;
+  const tern::FlightReport& report;
+  const tern::Command& command;  ///< for t
+  const tern::MapSpec& map_spec;
+  const tern::FlightSpec& spec;
+  tern::Vec3 goal;  ///< that was told last
+  const tern::RollingMap& map;
+  const tern::Flight& flight;
+  const tern::Planner& planner;
+  const tern::FlightState& state;  ///< the flight's own, for displays
+};
+using OnTick = std::function<void(const ReplayedTick& tick)>;
 
 /// Throws std::runtime_error, with the reason, for bytes that are no record of a flight that this build can read.
 FlightReplay replay_flight(const std::string& bytes, const OnTick& on_tick = {});

@@ -21,6 +21,11 @@ double seconds(std::int64_t t) {
   return 1e-9 * static_cast<double>(t);
 }
 
+/// Seconds of the flight's own time, which begins at 0.
+double now(const FlightMoment& moment) {
+  return seconds(moment.state.facts.time);
+}
+
 /// Points of a trajectory from `from` seconds on to its end.
 RunJson points_of(const tern::Trajectory& plan, double from) {
   RunJson points = RunJson::array();
@@ -69,7 +74,7 @@ FlightFilm::FlightFilm(const FlightWorld& world)
 
 void FlightFilm::note(const FlightMoment& moment) {
   if (ticks_ % stride_ == 0) note_motion(moment);
-  growth_.note(seconds(moment.t), moment.map);
+  growth_.note(now(moment), moment.map);
   if (moment.report.committed != before_.committed) note_commit(moment);
   if (moment.report.dropped != before_.dropped || moment.report.failed != before_.failed) note_lost(moment);
   before_ = moment.report;
@@ -88,7 +93,7 @@ void FlightFilm::note_motion(const FlightMoment& moment) {
 
 void FlightFilm::note_commit(const FlightMoment& moment) {
   const tern::Commitment& latest = moment.state.facts.plans.latest();
-  RunJson commit = {{"t", rounded(seconds(moment.t))},
+  RunJson commit = {{"t", rounded(now(moment))},
                     {"branch", rounded(seconds(latest.begin()) + latest.branch)},
                     {"step", kPlanStep},
                     {"points", commands_of(moment)},
@@ -103,7 +108,7 @@ void FlightFilm::note_lost(const FlightMoment& moment) {
   const tern::Commitment& draft = moment.state.draft.plan;
   if (moment.state.draft.extends || draft.begin() == shown_ || draft.planned.count == 0) return;
   shown_ = draft.begin();
-  dropped_.push_back({{"t", rounded(seconds(moment.t))}, {"points", points_of(draft.planned, 0.0)}});
+  dropped_.push_back({{"t", rounded(now(moment))}, {"points", points_of(draft.planned, 0.0)}});
 }
 
 RunJson FlightFilm::facts(const FlightResult& result) const {
@@ -115,10 +120,14 @@ RunJson FlightFilm::facts(const FlightResult& result) const {
   if (!result.reached() && result.narrow.axis != 0) add("too narrow", result.narrow.text());
   add("duration", fixed(result.time, 2) + " s");
   add("length", fixed(result.length, 2) + " m");
-  add("least clearance",
-      fixed(result.min_clearance, 3) + " m; the body's radius is " + fixed(world_.settings.body_radius, 2) + " m");
-  add("tracking error",
-      fixed(result.tracking_max, 3) + " m at most; margin " + fixed(world_.settings.tracking_margin, 2) + " m");
+  if (std::isfinite(result.min_clearance)) {
+    add("least clearance",
+        fixed(result.min_clearance, 3) + " m; the body's radius is " + fixed(world_.settings.body_radius, 2) + " m");
+  }
+  if (std::isfinite(result.tracking_max)) {
+    add("tracking error",
+        fixed(result.tracking_max, 3) + " m at most; margin " + fixed(world_.settings.tracking_margin, 2) + " m");
+  }
   add("plans", std::to_string(result.asked) + " asked, " + std::to_string(result.committed) + " committed, " +
                    std::to_string(result.dropped) + " dropped, " + std::to_string(result.failed) + " failed");
   add("work",
