@@ -35,7 +35,7 @@ case $world in
 esac
 cat >"$2" <<EOF
 {{$contact "status": "$status", "reason": "as told", "time_s": 12.0, "length_m": 60.0, "mean_speed": 5.0, "min_clearance": 0.4,
- "tracking_error": {{"max": $error}}, "full_knowledge_s": 10.0, "states": {{"threat": 0.0}},
+ "tracking_error": {{"max": $error}}, "full_knowledge_s": 10.0, "straight_s": 9.6, "standing_s": 0.5, "states": {{"threat": 0.0}},
  "plans": {{"asked": 10, "committed": 9, "dropped": 0, "failed": 1}}, "work": {{"max": 4000, "total": 50000}},
  "watched": {{"points": 7, "voxels": 7}}, "commands_hash": "0"}}
 EOF

@@ -78,9 +78,9 @@ class Fly(Kind):
     # Noise of the sensor in all campaigns, unless --set says otherwise.
     settings_default = ["tracking=bounded", "tracking_margin=0.1", "depth_noise=0.01", "outliers=0.01"]
     fields = ["row", "seed", "status", "reason", "time_s", "length_m", "mean_speed", "min_clearance", "tracking_max",
-              "full_knowledge_s", "asked", "committed", "dropped", "failed", "work_max", "work_total", "threat_s",
-              "watched_points", "watched_voxels", "commands_hash", "broken_assumption", "contact_speed",
-              "commanded_speed", "brake_speed", "seconds"]
+              "full_knowledge_s", "straight_s", "standing_s", "asked", "committed", "dropped", "failed", "work_max",
+              "work_total", "threat_s", "watched_points", "watched_voxels", "commands_hash", "broken_assumption",
+              "contact_speed", "commanded_speed", "brake_speed", "seconds"]
 
     def jobs(self, row, first, count):
         return [(row, seed, 1) for seed in range(first, first + count)]
@@ -120,6 +120,7 @@ class Fly(Kind):
         return {"status": log["status"], "reason": log["reason"], "time_s": log["time_s"], "length_m": log["length_m"],
                 "mean_speed": log["mean_speed"], "min_clearance": log["min_clearance"],
                 "tracking_max": log["tracking_error"]["max"], "full_knowledge_s": log.get("full_knowledge_s", 0.0),
+                "straight_s": log["straight_s"], "standing_s": log["standing_s"],
                 **log["plans"], "work_max": log["work"]["max"], "work_total": log["work"]["total"],
                 "threat_s": log["states"]["threat"], "watched_points": log["watched"]["points"],
                 "watched_voxels": log["watched"]["voxels"], "commands_hash": log["commands_hash"],

@@ -5,11 +5,13 @@ sums are whole numbers, or rounded once (math.fsum)."""
 import csv
 import math
 import pathlib
+import statistics
 
 COLUMNS = ["family", "runs", "success", "contacts", "invariants broken", "mean speed, m/s",
            "time over full knowledge, mean", "p95", "tracking error, m", "least clearance, m", "plans", "units a plan",
            "most units a tick", "plans dropped", "s of threat"]
 
+FLY_COLUMNS = [*COLUMNS, "time over straight way, median", "longest, s", "standing, s, mean"]
 
 FAULT_COLUMNS = ["family", "fault", "runs", "reached", "at rest, says why", "still flying", "threats",
                  "contacts, assumption broken", "contacts", "invariants broken", "least clearance, m",
@@ -53,7 +55,13 @@ def fly_row(row, flights):
             f"{min(numbers('min_clearance', flights), default=0.0):.3f}",
             asked, share(total("work_total", flights), asked),
             f"{max(numbers('work_max', flights), default=0.0):.0f}",
-            total("dropped", flights), f"{math.fsum(numbers('threat_s', flights)):.2f}"]
+            total("dropped", flights), f"{math.fsum(numbers('threat_s', flights)):.2f}", *straight_columns(reached)]
+
+
+def straight_columns(reached):
+    ratio = [float(entry["time_s"]) / float(entry["straight_s"]) for entry in reached if entry.get("straight_s")]
+    return [f"{statistics.median(ratio):.2f}" if ratio else "", f"{max(numbers('time_s', reached), default=0.0):.2f}",
+            f"{mean(numbers('standing_s', reached)):.2f}"]
 
 
 def faults_row(row, flights):
@@ -94,7 +102,7 @@ ROWS = {"fly": fly_row, "faults": faults_row, "plan": plan_row, "attack": attack
 
 
 def write_tables(kind, rows, stem):
-    columns = FAULT_COLUMNS if kind == "faults" else COLUMNS
+    columns = {"faults": FAULT_COLUMNS, "fly": FLY_COLUMNS}.get(kind, COLUMNS)
     with open(f"{stem}-table.csv", "w", newline="") as file:
         csv.writer(file).writerows([columns, *rows])
     lines = [columns, ["---"] * len(columns), *rows]

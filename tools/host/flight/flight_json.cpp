@@ -6,6 +6,7 @@
 
 #include "host/flight/commits_json.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "host/flight/straight_way.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -168,6 +169,8 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
                  {"failed", result.failed}}},
                {"states", states_json(result)},
                {"view_wait_s", result.view_wait},
+               {"standing_s", result.standing},
+               {"straight_s", straight_time(world)},
                {"work", {{"max", result.work_max}, {"p99", result.work_p99}, {"total", result.work_total}}},
                {"watched", watched_json(result.watched)},
                {"commands_hash", hash}};

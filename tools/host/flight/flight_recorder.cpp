@@ -65,6 +65,7 @@ void FlightRecorder::note(std::int64_t t, const tern::Command& command, const Ve
   result_.track.push_back(
       {p, distance(vehicle.velocity(), {}), committed, command.sample.position, vehicle.estimate()});
   result_.seconds_in[static_cast<std::size_t>(report.mode)] += 1.0 / world_.settings.tick_hz;
+  if (distance(command.sample.velocity, {}) < kStanding) result_.standing += 1.0 / world_.settings.tick_hz;
   result_.time = seconds;
   result_.skipped += skipped ? 1 : 0;
   work_.push_back(skipped ? 0 : report.work);

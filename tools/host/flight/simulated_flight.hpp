@@ -49,6 +49,9 @@ struct MissionPoint {
 
 constexpr std::int64_t kNotWithdrawn = -1;
 
+/// m/s
+constexpr double kStanding = 0.1;
+
 /// A plan that was committed.
 struct FlightCommit {
   std::int64_t time;       ///< nanoseconds, of the tick that committed it
@@ -74,6 +77,7 @@ struct FlightResult {
   double full_knowledge = 0.0;                    ///< full_knowledge_time(), where it was asked for
   std::uint32_t asked = 0, committed = 0, dropped = 0, failed = 0;
   std::array<double, 5> seconds_in{};  ///< of each tern::FlightMode
+  double standing = 0.0;               ///< seconds in which the commands were slower than kStanding
   double view_wait = 0.0;              ///< seconds in which the field of view slowed the flight
   std::uint32_t work_max = 0, work_p99 = 0;
   std::uint64_t work_total = 0;
