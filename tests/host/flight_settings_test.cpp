@@ -69,7 +69,7 @@ TEST(FlightSettings, RefuseFaultsThatCannotBe) {
 }
 
 TEST(FlightSettings, ASensorHasAPlace) {
-  EXPECT_EQ(setting_refusal("sensor=sonar"), "sensor is camera, lidar or d435");
+  EXPECT_EQ(setting_refusal("sensor=sonar"), "sensor is camera, lidar, d435 or livox");
   EXPECT_EQ(setting_refusal("mount=nose"), "mount is level or body");
   EXPECT_EQ(setting_refusal("mount_offset=3,0,0"), "mount_offset 3 is not within -2 .. 2");
   EXPECT_EQ(setting_refusal("mount_pitch=-90"), "mount_pitch -90 is not within -1.571 .. 1.571");

@@ -21,7 +21,10 @@ constexpr float kBeyond = 1000.0f;  // m: a point where a beam meets nothing
 
 BodySensors::BodySensors(const tern_host::FlightWorld& world, const std::string& kinds, const std::string& socket,
                          std::int64_t began)
-    : world_(world), lens_(lens_of(world.settings)), began_(began), socket_(tern_depth_connect(socket.c_str())) {
+    : world_(world),
+      lens_(tern_host::lens_of(world.settings)),
+      began_(began),
+      socket_(tern_depth_connect(socket.c_str())) {
   if (socket_ < 0) throw std::runtime_error("the companion's depth socket does not answer");
   if (kinds == "camera" || kinds == "both") add_camera(0.0);
   if (kinds == "cameras") {
@@ -61,7 +64,6 @@ void BodySensors::add_lidar() {
 
 void BodySensors::take(const tern::Pose& body, std::int64_t time, tern_host::Noise& noise) {
   const double seconds = 1e-9 * static_cast<double>(time);
-  const double far = 1.35 * world_.settings.sensor_range;
   for (Unit& unit : units_) {
     if (seconds < unit.due) continue;
     unit.due = std::max(unit.due + unit.period, seconds);
@@ -73,7 +75,7 @@ void BodySensors::take(const tern::Pose& body, std::int64_t time, tern_host::Noi
     } else {
       const double* const q = unit.header.attitude;
       const tern::Pose eye = tern_onboard::compose(body, {{0.0, 0.0, 0.0}, {q[0], q[1], q[2], q[3]}});
-      frame.numbers = take_image(world_, eye, lens_, far, noise);
+      frame.numbers = take_frame(world_, eye, time, noise).depths;
     }
     frames_.push_back(std::move(frame));
   }

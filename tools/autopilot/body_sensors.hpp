@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "autopilot/body_camera.hpp"
 #include "depth_format.h"
+#include "host/flight/depth_camera.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
 
@@ -48,7 +48,7 @@ class BodySensors {
   std::vector<float> scan(const tern::Pose& body, std::int64_t time, tern_host::Noise& noise) const;
 
   const tern_host::FlightWorld& world_;
-  CameraLens lens_;
+  tern::DepthView lens_;
   std::int64_t began_;
   int socket_;
   std::vector<Unit> units_;

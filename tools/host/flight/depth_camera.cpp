@@ -12,22 +12,6 @@
 namespace tern_host {
 namespace {
 
-tern::DepthView view_of(const FlightSettings& s, const float* depths) {
-  tern::DepthView view{};
-  view.z32 = depths;
-  view.width = view.stride = s.width;
-  view.height = s.height;
-  view.fx = 0.5 * s.width / std::tan(0.5 * s.fov_horizontal);
-  view.fy = 0.5 * s.height / std::tan(0.5 * s.fov_vertical);
-  view.cx = 0.5 * (s.width - 1);
-  view.cy = 0.5 * (s.height - 1);
-  view.scale = 1.0;
-  view.min = s.sensor_min;
-  view.max = 1000.0;
-  view.no_return = s.no_return;
-  return view;
-}
-
 /// The borders between pixels, from the first one's to the last one's, in metres aside for each metre ahead.
 std::vector<double> borders(int pixels, double center, double focal) {
   std::vector<double> at;
@@ -69,7 +53,8 @@ template <typename DepthOf>
 DepthFrame frame_of(const FlightSettings& s, const tern::Pose& camera, std::int64_t t, Noise& noise, DepthOf depth_of) {
   DepthFrame frame;
   frame.depths.resize(static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
-  frame.view = view_of(s, frame.depths.data());
+  frame.view = lens_of(s);
+  frame.view.z32 = frame.depths.data();
   frame.pose = camera;
   frame.taken = t;
   std::size_t pixel = 0;
@@ -85,9 +70,24 @@ DepthFrame frame_of(const FlightSettings& s, const tern::Pose& camera, std::int6
 
 }  // namespace
 
+tern::DepthView lens_of(const FlightSettings& s) {
+  tern::DepthView view{};
+  view.width = view.stride = s.width;
+  view.height = s.height;
+  view.fx = 0.5 * s.width / std::tan(0.5 * s.fov_horizontal);
+  view.fy = 0.5 * s.height / std::tan(0.5 * s.fov_vertical);
+  view.cx = 0.5 * (s.width - 1);
+  view.cy = 0.5 * (s.height - 1);
+  view.scale = 1.0;
+  view.min = s.sensor_min;
+  view.max = 1000.0;
+  view.no_return = s.no_return;
+  return view;
+}
+
 DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double yaw, std::int64_t t, Noise& noise) {
   const FlightSettings& s = world.settings;
-  const tern::DepthView view = view_of(s, nullptr);
+  const tern::DepthView view = lens_of(s);
   const PixelColumns columns(world, eye, yaw, kFarther * s.sensor_range, borders(s.width, view.cx, view.fx));
   const std::vector<double> downs = borders(s.height, view.cy, view.fy);
   return frame_of(s, camera_pose({}, eye, level_attitude(yaw), 0.0), t, noise, [&](int u, int v) {
@@ -99,7 +99,7 @@ DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double ya
 DepthFrame take_frame(const FlightWorld& world, const tern::Pose& camera, std::int64_t t, Noise& noise) {
   const FlightSettings& s = world.settings;
   const double far = kFarther * s.sensor_range;
-  const std::vector<double> depths = depths_of_faces(world, camera, view_of(s, nullptr), far, s.pixel_part);
+  const std::vector<double> depths = depths_of_faces(world, camera, lens_of(s), far, s.pixel_part);
   return frame_of(s, camera, t, noise, [&](int u, int v) { return depths[static_cast<std::size_t>(v * s.width + u)]; });
 }
 

@@ -20,6 +20,9 @@ struct DepthFrame {
   std::int64_t taken = 0;
 };
 
+/// Size, focal lengths and principal point of the settings' camera, and what it can measure; without an image.
+tern::DepthView lens_of(const FlightSettings& settings);
+
 /// What a level camera at `eye` sees that looks along `yaw`, with its errors. A pixel has the depth of the nearest
 /// thing in its whole area, as the map demands.
 DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double yaw, std::int64_t t, Noise& noise);

@@ -28,6 +28,7 @@ Json settings_json(const FlightSettings& s) {
           {"window", {s.window.x, s.window.y, s.window.z}},
           {"sensor", s.sensor},
           {"scan_pixel", s.scan_pixel},
+          {"beams", s.beams},
           {"sensor_range", s.sensor_range},
           {"sensor_min", s.sensor_min},
           {"sensor_far", s.sensor_far},

@@ -63,6 +63,7 @@ struct FlightSettings {
   tern::Vec3 window{};            ///< likewise; its height is the boundary's where that is less
   std::string sensor = "camera";  ///< or lidar
   double scan_pixel = 0.04;       ///< as MapSpec::scan_pixel, for the lidar
+  int beams = 0;                  ///< of a lidar that scatters them (lidar.hpp); 0: it has rows of them
   double sensor_range = 10.0;
   double sensor_min = 0.1;                     ///< nearest depth that the camera measures
   double sensor_far = 0.0;                     ///< farther things give the camera no depth; 0: all do

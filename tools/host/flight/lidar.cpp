@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "host/flight/pixel_columns.hpp"
+#include "host/flight/ray_length.hpp"
 #include "host/flight/speckle_filter.hpp"
 #include "host/yaw/yaw_units.hpp"
 
@@ -59,6 +61,28 @@ std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& b
   return lengths;
 }
 
+/// Beam k of those that fill the view of a Mid-360 evenly: the additive sequence of the plastic number.
+tern::Vec3 scattered_beam(std::uint64_t k) {
+  constexpr double kLowest = -0.12186934340514748;  // sine of -7 degrees
+  constexpr double kHighest = 0.7880107536067220;   // and of 52
+  const auto part = [k](double step) { return std::fmod(static_cast<double>(k) * step, 1.0); };
+  const double azimuth = kTurn * part(0.7548776662466927);
+  const double up = kLowest + (kHighest - kLowest) * part(0.5698402909980532);
+  const double flat = std::sqrt(1.0 - up * up);
+  return {flat * std::cos(azimuth), flat * std::sin(azimuth), up};
+}
+
+/// What is no farther than a lidar's range, as it says of it, may be seen.
+FlightWorld nearby(const FlightWorld& world, const tern::Vec3& eye) {
+  const double far = kNoReturn * world.settings.sensor_range;
+  const auto is_near = [&](const auto& thing) { return distance_to(thing, eye) <= far; };
+  FlightWorld near;
+  near.boundary = world.boundary;
+  std::copy_if(world.blocks.begin(), world.blocks.end(), std::back_inserter(near.blocks), is_near);
+  std::copy_if(world.cylinders.begin(), world.cylinders.end(), std::back_inserter(near.cylinders), is_near);
+  return near;
+}
+
 }  // namespace
 
 tern::Beams LidarScan::beams() const {
@@ -71,7 +95,23 @@ tern::Vec3 LidarScan::point(std::size_t beam, double distance) const {
 }
 
 std::size_t beam_count(const FlightSettings& settings) {
-  return BeamGrid(settings).count();
+  return settings.beams > 0 ? static_cast<std::size_t>(settings.beams) : BeamGrid(settings).count();
+}
+
+LidarScan take_scattered_scan(const FlightWorld& world, const tern::Pose& lidar, const tern::Vec3& believed,
+                              std::int64_t t, std::uint64_t first, Noise& noise) {
+  const FlightSettings& s = world.settings;
+  const FlightWorld near = nearby(world, lidar.position);
+  LidarScan scan;
+  scan.origin = believed;
+  scan.taken = t;
+  for (std::uint64_t k = first; k < first + beam_count(s); ++k) {
+    scan.directions.push_back(turned(lidar, scattered_beam(k)));
+    double length = ray_length(near, lidar.position, scan.directions.back());
+    if (s.depth_noise > 0.0) length *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
+    scan.ranges.push_back(range_of(length, s.sensor_range));
+  }
+  return scan;
 }
 
 LidarScan take_scan(const FlightWorld& world, const tern::Vec3& eye, const tern::Vec3& believed, std::int64_t t,

@@ -29,6 +29,12 @@ struct LidarScan {
 /// The beams of a scan.
 std::size_t beam_count(const FlightSettings& settings);
 
+/// What a lidar with this pose sees whose thin beams fill its view bit by bit, as those of a Livox Mid-360 do: from 7
+/// degrees below its level to 52 above, all around. `first` is the number of its first beam: no two scans with other
+/// numbers have the same beams. Its axes are x ahead, y left, z up. It has no outliers and no filter.
+LidarScan take_scattered_scan(const FlightWorld& world, const tern::Pose& lidar, const tern::Vec3& believed,
+                              std::int64_t t, std::uint64_t first, Noise& noise);
+
 /// What a level lidar at `eye` sees all around, sensor_fov's vertical angle from its lowest beam to its highest, with
 /// noise and outliers, and filtered where speckle_filter says so. It takes itself to be at `believed`. Beams are half
 /// of scan_pixel apart, as the map demands; each shows what is nearest in its part of the view.

@@ -51,8 +51,13 @@ void Sensor::deliver(std::int64_t t) {
 /// The image is of what is, the pose what the vehicle believes.
 Sensor::Frame Sensor::frame(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {
   const FlightSettings& s = world_.settings;
-  if (s.sensor == "lidar") return take_scan(world_, vehicle.position(), vehicle.estimate(), t, noise_);
   const std::array<double, 4> attitude = s.mount.kind == "body" ? vehicle.attitude() : level_attitude(yaw);
+  if (s.sensor == "lidar" && s.beams > 0) {
+    const tern::Vec3 believed = lidar_pose(s.mount, vehicle.estimate(), attitude).position;
+    const auto first = static_cast<std::uint64_t>(taken_ - 1) * beam_count(s);
+    return take_scattered_scan(world_, lidar_pose(s.mount, vehicle.position(), attitude), believed, t, first, noise_);
+  }
+  if (s.sensor == "lidar") return take_scan(world_, vehicle.position(), vehicle.estimate(), t, noise_);
   const bool is_plain = s.mount.is_plain() && s.pixel_part >= 1.0;
   DepthFrame image = is_plain
                          ? take_frame(world_, vehicle.position(), yaw, t, noise_)

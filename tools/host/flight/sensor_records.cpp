@@ -53,10 +53,21 @@ void set_d435(FlightSettings& s) {
   s.sensor_min = 0.28;
 }
 
+/// A Livox Mid-360, level or as it is mounted. Its beams are at most 0.35 of these pixels from any direction.
+void set_livox(FlightSettings& s) {
+  s.sensor = "lidar";
+  s.beams = 20000;
+  s.scan_pixel = 0.06;
+  s.fov_horizontal = kAllAround;
+  s.fov_vertical = 59.0 * kDegree;
+  s.sensor_hz = 10.0;
+}
+
 void set_sensor(FlightSettings& s, const Words& words, const Place& place) {
   const std::string kind = words.size() == 2 ? words[1] : "";
   if (kind == "d435") return set_d435(s);
-  if (kind != "camera" && kind != "lidar") throw RecordError(place, "sensor is camera, lidar or d435");
+  if (kind == "livox") return set_livox(s);
+  if (kind != "camera" && kind != "lidar") throw RecordError(place, "sensor is camera, lidar, d435 or livox");
   s.sensor = kind;
 }
 
@@ -116,6 +127,7 @@ void add_sensor_setters(Setters& setters) {
   setters["dropout"] = real(&S::dropout, 0.0, 1.0);
   setters["outliers"] = real(&S::outliers, 0.0, 1.0);
   setters["speckle_filter"] = whole(&S::speckle_filter, 0.0, 1.0);
+  setters["beams"] = whole(&S::beams, 0.0, 1e6);
   setters["scan_pixel"] = real(&S::scan_pixel, 0.01, 0.2);
 }
 
