@@ -3,6 +3,7 @@
 #include "host/flight/depth_camera.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "host/flight/face_image.hpp"
 #include "host/flight/pixel_columns.hpp"
@@ -24,7 +25,7 @@ double measured(double depth, const FlightSettings& s, Noise& noise) {
   if (s.depth_noise > 0.0) depth *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
   if (s.depth_error.at(depth) > 0.0) depth += noise.within(-s.depth_error.at(depth), s.depth_error.at(depth));
   if (s.outliers > 0.0 && noise.chance(s.outliers)) depth = noise.within(kNearestOutlier, kFarther * s.sensor_range);
-  return s.sensor_far > 0.0 && depth > s.sensor_far ? 0.0 : depth;
+  return depth;
 }
 
 /// The largest error of the farthest depth, metres a metre.
@@ -32,7 +33,7 @@ double relative_error(const FlightSettings& s) {
   return s.depth_noise + s.depth_error.at(s.sensor_range) / s.sensor_range;
 }
 
-/// Round patches without depth, as a stereo camera has them where it finds nothing to compare.
+/// Round patches that look as if nothing came back, as a stereo camera has them where it finds nothing to compare.
 void punch_holes(const FlightSettings& s, Noise& noise, std::vector<float>& depths) {
   constexpr double kRadius = 0.03;  // of the image's width
   const double radius = kRadius * s.width;
@@ -63,8 +64,13 @@ DepthFrame frame_of(const FlightSettings& s, const tern::Pose& camera, std::int6
       frame.depths[pixel] = static_cast<float>(measured(depth_of(u, v), s, noise));
     }
   }
-  if (s.holes > 0.0) punch_holes(s, noise, frame.depths);
   if (s.speckle_filter > 0) filter_speckle(frame.depths, s.width, s.height, relative_error(s));
+  // Zero is for what nothing came back to; where the filter found no depth, nothing is known.
+  for (float& depth : frame.depths) {
+    if (!(depth > 0.0f)) depth = std::numeric_limits<float>::quiet_NaN();
+    if (s.sensor_far > 0.0 && static_cast<double>(depth) > s.sensor_far) depth = 0.0f;
+  }
+  if (s.holes > 0.0) punch_holes(s, noise, frame.depths);
   return frame;
 }
 

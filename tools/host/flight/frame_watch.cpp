@@ -208,7 +208,7 @@ std::vector<Vec3> FrameWatch::hits_of(const DepthFrame& frame) {
     const int u = pixel % view.width;
     const int v = pixel / view.width;
     const double z = static_cast<double>(view.z32[v * view.stride + u]);
-    if (z < view.min || z >= 0.999 * spec_.range || !is_supported(frame, u, v)) continue;
+    if (!(z >= view.min && z < 0.999 * spec_.range) || !is_supported(frame, u, v)) continue;
     points.push_back(point_behind(frame, axes, u, v, z));
   }
   return points;

@@ -35,7 +35,7 @@ std::string vertical_move(Noise& random) {
 std::string open_field(Noise& random) {
   const double away = random.within(40.0, 60.0);
   const double height = random.within(1.5, 3.0);
-  std::string text = record_line("boundary", {-14.0, -14.0, 0.0, 74.0, 14.0, 20.0}) + "sensor_far 10\n" +
+  std::string text = record_line("boundary", {-14.0, -14.0, 0.0, 74.0, 14.0, 20.0}) + "sensor_far 10\nno_return 10\n" +
                      ends({0.0, 0.0, height}, {away, 0.0, random.within(1.5, 6.0)});
   for (int trees = random.chance(0.5) ? 5 : 0; trees > 0; --trees) {
     const double x = random.within(4.0, away - 4.0);
