@@ -12,9 +12,10 @@
 namespace tern_onboard {
 namespace {
 
-/// What a pixel with "nothing in the way" counts as, in ranges of the map.
-constexpr double kFree = 2.0;
-constexpr float kNothing = 0.0f;
+/// A pixel of which nothing is known, for the map and here.
+constexpr float kUnknown = -1.0f;
+/// One that nothing came back to, if SensorSettings::no_return says something of it.
+constexpr float kNoReturn = std::numeric_limits<float>::infinity();
 
 float float_at(const std::uint8_t* bytes) {
   float number = 0.0f;
@@ -24,23 +25,24 @@ float float_at(const std::uint8_t* bytes) {
 
 }  // namespace
 
-/// Metres, or kNothing.
+/// Metres, kUnknown or kNoReturn.
 float Sensors::depth_of(const Sensor& sensor, const DepthImage& image, std::int32_t u, std::int32_t v) const {
   const auto* bytes = static_cast<const std::uint8_t*>(image.data) + static_cast<std::size_t>(v) * image.row_bytes;
   const SensorSettings& s = sensor.spec.settings;
+  const float nothing_back = s.no_return > 0.0 ? kNoReturn : kUnknown;
   if (image.metres) {
     const float depth = float_at(bytes + 4 * static_cast<std::size_t>(u));
-    if (std::isinf(depth) && depth > 0.0f && s.inf_is_free) return static_cast<float>(kFree * range_);
     const auto metres = static_cast<double>(depth);
-    return metres >= s.least && metres < s.most ? depth : kNothing;
+    if (metres == 0.0 || (std::isinf(metres) && metres > 0.0)) return nothing_back;
+    return metres >= s.least && metres < s.most ? depth : kUnknown;
   }
   const std::size_t at = 2 * static_cast<std::size_t>(u);
   const int high = image.big_endian ? bytes[at] : bytes[at + 1];
   const int low = image.big_endian ? bytes[at + 1] : bytes[at];
   const int number = 256 * high + low;
+  if (number == 0) return nothing_back;
   const double metres = 0.001 * number;
-  const bool measured = number != 0 && number != 65535 && metres >= s.least && metres < s.most;
-  return measured ? static_cast<float>(metres) : kNothing;
+  return number != 65535 && metres >= s.least && metres < s.most ? static_cast<float>(metres) : kUnknown;
 }
 
 void Sensors::read(const Sensor& sensor, const DepthImage& image, Frame& frame) const {
@@ -51,8 +53,8 @@ void Sensors::read(const Sensor& sensor, const DepthImage& image, Frame& frame) 
   std::size_t pixel = 0;
   for (std::int32_t v = 0; v < frame.height; ++v) {
     for (std::int32_t u = 0; u < frame.width; ++u, ++pixel) {
-      // The least depth of the square; kNothing is less than any.
-      float least = std::numeric_limits<float>::max();
+      // The least depth of the square: kUnknown is less than any, kNoReturn is more.
+      float least = kNoReturn;
       for (std::int32_t y = v * b; y < (v + 1) * b; ++y) {
         for (std::int32_t x = u * b; x < (u + 1) * b; ++x) least = std::min(least, depth_of(sensor, image, x, y));
       }

@@ -50,7 +50,7 @@ Onboard::Onboard(const Settings& settings)
       map_words_(tern::map_words(map_spec_)),
       flight_words_(tern::flight_words(map_spec_.dims)),
       poses_(settings.watch),
-      sensors_(settings.watch, map_spec_.pixels, settings.map.range),
+      sensors_(settings.watch, map_spec_.pixels),
       wish_(settings.fly) {
   const std::string fault = settings_fault(settings);
   if (!fault.empty()) throw std::invalid_argument(fault);

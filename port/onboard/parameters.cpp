@@ -73,7 +73,7 @@ const std::vector<Parameter<Settings>> kParameters = {
 const std::vector<Parameter<SensorSettings>> kSensorParameters = {
   TERN_ROW(SensorSettings, "least", "m", 0.0, 50.0, false, least, "depths below it are no measurement"),
   TERN_ROW(SensorSettings, "most", "m", 0.1, 1000.0, false, most, "nor are those from here on"),
-  TERN_ROW(SensorSettings, "inf_is_free", "", 0, 1, true, inf_is_free, "1: +infinity in an image says that nothing is there"),
+  TERN_ROW(SensorSettings, "no_return", "m", 0.0, 1000.0, false, no_return, "nothing is nearer where a pixel is 0 or +infinity: you vouch for it; 0: nothing is known"),
   TERN_ROW(SensorSettings, "time_offset", "s", -10.0, 10.0, false, time_offset, "added to the stamps of its frames"),
 };
 // clang-format on

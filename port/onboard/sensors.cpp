@@ -15,8 +15,7 @@ bool scan_is_whole(const PointScan& scan) {
   return scan.row_bytes <= scan.bytes / scan.height;
 }
 
-Sensors::Sensors(const WatchSettings& settings, std::int32_t pixels, double range)
-    : settings_(settings), pixels_(pixels), range_(range) {}
+Sensors::Sensors(const WatchSettings& settings, std::int32_t pixels) : settings_(settings), pixels_(pixels) {}
 
 int Sensors::add(const SensorSpec& spec) {
   Sensor sensor;
@@ -188,17 +187,13 @@ void Sensors::enter(tern::RollingMap& map, tern::FlightRecorder& record, const P
   }
   ++sensor.state.taken;
   sensor.state.last_stamp = sensor.heard = in_work_.stamp;
-  entered_ = any_entered_ ? std::max(entered_, in_work_.stamp) : in_work_.stamp;
-  any_entered_ = true;
   notices.good(Fault::kFrameInvalid, Fault::kFrameRefused, index, now,
                (called(index) + ": frames are good again").c_str());
 }
 
-/// The map wants times that do not fall, and sensors have different delays: a frame that is older than the last one is
-/// entered with that one's time. Times matter to the map only where what was seen ages.
 tern::Status Sensors::begin(tern::RollingMap& map, tern::FlightRecorder& record, Sensor& sensor,
                             const tern::Pose& body) {
-  const std::int64_t t = any_entered_ ? std::max(entered_, in_work_.stamp) : in_work_.stamp;
+  const std::int64_t t = in_work_.stamp;
   const tern::Pose eye = compose(body, sensor.in_body);
   if (sensor.spec.kind == SensorKind::kPoints) {
     directions_.clear();
@@ -228,6 +223,7 @@ tern::Status Sensors::begin(tern::RollingMap& map, tern::FlightRecorder& record,
   view.scale = 1.0;
   view.min = 0.0;
   view.max = std::numeric_limits<float>::max();
+  view.no_return = sensor.spec.settings.no_return;
   const tern::Status begun = map.begin_frame(view, eye, t);
   record.frame(view, eye, t, begun);
   return begun;
@@ -238,7 +234,6 @@ void Sensors::restart() {
     sensor.frame.waits = sensor.any = false;
     sensor.heard = 0;
   }
-  any_entered_ = false;
 }
 
 }  // namespace tern_onboard

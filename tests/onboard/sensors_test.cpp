@@ -24,7 +24,7 @@ constexpr int kWidth = 80, kHeight = 60;
 /// A map of 12.8 x 12.8 x 6.4 m around a body at rest in its middle, with sensors.
 class Room {
  public:
-  explicit Room(std::int32_t pixels = kWidth * kHeight) : sensors(tern_onboard::WatchSettings{}, pixels, 5.0) {
+  explicit Room(std::int32_t pixels = kWidth * kHeight) : sensors(tern_onboard::WatchSettings{}, pixels) {
     tern::MapSpec spec = tern::map_spec({-6.4, -6.4, -3.2}, 0.2, {64, 64, 32}, 0.3);
     spec.range = 5.0;
     spec.pose_margin = 0.0;
@@ -110,12 +110,26 @@ TEST(Sensors, TakeNothingForAMeasurementThatIsNone) {
     room.enter();
     EXPECT_FALSE(room.seen(1.5, 0.1)) << depth;
   }
-  Room room;
+}
+
+TEST(Sensors, TakeNoReturnForWhatIsStated) {
+  const float inf = std::numeric_limits<float>::infinity();
   tern_onboard::SensorSettings settings;
-  settings.inf_is_free = true;
-  room.offer(room.add_camera("camera", kWidth, kHeight, settings), wall(inf), room.now);
-  room.enter();
-  EXPECT_TRUE(room.seen(3.9, 0.1));
+  settings.no_return = 3.0;
+  for (const float depth : {0.0f, inf, std::nanf(""), 0.1f, 25.0f, -inf, -1.0f}) {
+    const bool nothing_back = depth == 0.0f || depth == inf;
+    for (const int size : {1, 4}) {  // larger images are divided into squares
+      Room room(kWidth * kHeight);
+      const int camera = room.add_camera("camera", size * kWidth, size * kHeight, settings);
+      std::vector<float> depths = wall(inf, size * kWidth, size * kHeight);
+      depths[static_cast<std::size_t>(size * kWidth * (size * kHeight / 2) + size * kWidth / 2)] = depth;
+      room.offer(camera, depths, room.now, size * kWidth, size * kHeight);
+      room.enter();
+      EXPECT_EQ(room.seen(2.5, -0.05), nothing_back) << depth;
+      EXPECT_TRUE(room.seen(2.5, 1.1));
+      EXPECT_FALSE(room.seen(3.3, 1.1));
+    }
+  }
 }
 
 TEST(Sensors, MakeLargeImagesSmallerByTheirLeastDepths) {

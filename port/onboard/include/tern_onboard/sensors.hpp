@@ -35,9 +35,9 @@ struct SensorSpec {
   SensorSettings settings;
 };
 
-/// A depth image of yours, copied when it is taken. Depth is along the optical axis. 0, NaN, what is below
-/// SensorSettings::least, not below SensorSettings::most or, in 16 bits, 65535 is no measurement; so is +infinity,
-/// unless SensorSettings::inf_is_free.
+/// A depth image of yours, copied when it is taken. Depth is along the optical axis. NaN, what is below
+/// SensorSettings::least, not below SensorSettings::most or, in 16 bits, 65535 is no measurement. What 0 and +infinity
+/// say is SensorSettings::no_return.
 struct DepthImage {
   std::int64_t stamp;  ///< nanoseconds: the middle of the exposure, on the clock of Onboard::tick() but for time_offset
   const void* data;
@@ -78,7 +78,7 @@ class Sensors {
  public:
   /// `pixels`: of MapSpec. Larger images are divided into squares of pixels; each becomes one pixel with the least of
   /// its depths, and no measurement if one of them is none.
-  Sensors(const WatchSettings& settings, std::int32_t pixels, double range);
+  Sensors(const WatchSettings& settings, std::int32_t pixels);
 
   int add(const SensorSpec& spec);
   int count() const { return static_cast<int>(sensors_.size()); }
@@ -134,10 +134,7 @@ class Sensors {
 
   WatchSettings settings_;
   std::int32_t pixels_;
-  double range_;
   std::vector<Sensor> sensors_;
-  std::int64_t entered_ = 0;  // the latest stamp that the map was told
-  bool any_entered_ = false;
   Frame in_work_;  // the map reads it until its job is done
   std::vector<tern::Vec3> directions_;
   std::vector<float> ranges_;

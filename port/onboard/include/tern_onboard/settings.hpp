@@ -77,7 +77,7 @@ struct Settings {
 struct SensorSettings {
   double least = 0.2;
   double most = 20.0;
-  bool inf_is_free = false;
+  double no_return = 0.0;
   double time_offset = 0.0;
 };
 
