@@ -216,6 +216,7 @@ std::string obstacles_text(const std::string& family, Noise& random) {
     case 'D':
       return mission_text(family[0], random);
     case 'W':
+    case 'U':
     case 'N':
     case 'Q':
     case 'X':

@@ -36,14 +36,41 @@ std::string shelves(double y, Noise& random) {
   return text;
 }
 
-/// Four rows of shelves with aisles of 2.6 m, from one end of the hall to another aisle's other end.
+/// Four rows of shelves with aisles of 2.6 m: from inside an aisle to the other end of the next one or the one behind
+/// that, at another height.
 std::string warehouse(Noise& random) {
+  constexpr double kFirst = 1.6;
   constexpr double kApart = 3.6;
-  std::string text = record_line("boundary", {0.0, 0.0, 0.0, 30.0, 19.0, 6.5});
+  std::string text = record_line("boundary", {0.0, 0.0, 0.0, 30.0, 17.6, 6.5});
   for (int row = 0; row < 4; ++row) text += shelves(3.0 + kApart * row, random);
-  const double start = 1.6 + kApart * random.below(5);
-  return text + record_line("start", {1.8, start, 1.5}) +
-         record_line("goal", {28.2, 1.6 + kApart * random.below(5), random.within(1.2, 3.5)});
+  const int start = random.below(3);
+  const int goal = start + 1 + random.below(2);
+  text += record_line("start", {random.within(6.0, 10.0), kFirst + kApart * start, 1.5});
+  return text + record_line("goal", {random.within(19.0, 25.0), kFirst + kApart * goal, random.within(1.0, 4.5)});
+}
+
+/// Stairs between two storeys, 1.8 to 3 m wide and 2.7 m high all the way: up or down.
+std::string stairs(Noise& random) {
+  constexpr double kHall = 6.0;
+  constexpr double kHeadroom = 2.7;
+  constexpr double kTread = 0.29;
+  constexpr double kRise = 0.1875;
+  constexpr int kSteps = 16;
+  constexpr double kFloor = kRise * kSteps;
+  constexpr double kTop = kFloor + kHeadroom;
+  constexpr double kEnd = 2.0 * kHall + kTread * kSteps;
+  const double half = random.within(0.9, 1.5);
+  std::string text = record_line("boundary", {0.0, -half, 0.0, kEnd, half, kTop}) + "cell 0.1\nwindow 25.6 20 8\n" +
+                     block(0.0, -half, kHeadroom, kHall, half, kTop) +
+                     block(kEnd - kHall, -half, 0.0, kEnd, half, kFloor);
+  for (int k = 0; k < kSteps; ++k) {
+    const double x = kHall + kTread * k;
+    text += block(x, -half, 0.0, x + kTread, half, kRise * (k + 1));
+    if (k + 1 < kSteps) text += block(x, -half, kRise * (k + 1) + kHeadroom, x + kTread, half, kTop);
+  }
+  const bool up = random.chance(0.5);
+  const std::string low = record_line(up ? "start" : "goal", {1.5, 0.0, 1.2});
+  return text + low + record_line(up ? "goal" : "start", {kEnd - 1.5, 0.0, kFloor + 1.2});
 }
 
 /// Strings of 6 mm, 15 cm apart, with an opening of 2.2 m by 2.2 m.
@@ -118,6 +145,8 @@ std::string indoor_text(char family, Noise& random) {
       return warehouse(random);
     case 'N':
       return nets(random);
+    case 'U':
+      return stairs(random);
     case 'Q':
       return room_lap(random);
     default:

@@ -9,7 +9,7 @@
 
 namespace tern_host {
 
-/// One world under a roof, as records of its file: W, N, Q or X (docs/simulator.md).
+/// One world under a roof, as records of its file: W, U, N, Q or X (docs/simulator.md).
 std::string indoor_text(char family, Noise& random);
 
 }  // namespace tern_host

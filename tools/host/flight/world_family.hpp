@@ -19,7 +19,7 @@ struct FamilyMember {
 };
 
 /// P49, P36, P25, P12: forests of thin trees. S05, S10, S20: thick cylinders. C: a hidden corner. B: a bug trap. O: a
-/// storey with doors. M: a maze. L, G, I, D: missions. V, F, H, T30, E, R, W, N, Q, X: for a camera that is fixed to
+/// storey with doors. M: a maze. L, G, I, D: missions. V, F, H, T30, E, R, W, N, Q, X, U: for a camera that is fixed to
 /// the body. docs/simulator.md describes them.
 const std::vector<std::string>& family_names();
 
