@@ -12,6 +12,7 @@
 #include "host/flight/flight_world.hpp"
 #include "host/flight/gimbal.hpp"
 #include "host/flight/sensor_mount.hpp"
+#include "host/flight/simulated_flight.hpp"
 
 namespace {
 
@@ -170,6 +171,17 @@ TEST(BodyCamera, Errs) {
   frame = take_frame(world, ahead, 0, noise);
   const auto count = static_cast<double>(std::count(frame.depths.begin(), frame.depths.end(), 0.0f));
   EXPECT_NEAR(count / static_cast<double>(frame.depths.size()), 0.18, 0.04);  // patches overlap
+}
+
+/// Cameras that look up and down give their frames to the same map by turns: straight up and 0.3 m ahead is seen at
+/// once.
+TEST(FurtherCameras, ShowWhatTheFirstOneDoesNot) {
+  const FlightWorld world =
+      read_flight_world("V:1", {"further_camera=0,1.2", "further_camera=0,-1.2", "time_limit=10"});
+  ASSERT_EQ(world.settings.cameras.size(), 2u);
+  const tern_host::FlightResult result = simulate_flight(world);
+  EXPECT_EQ(result.status, "reached") << result.reason;
+  EXPECT_LT(result.time, 4.0);  // with one camera, it has to fly away and come back
 }
 
 /// As far as its mount lets it, and as fast as it may.

@@ -74,6 +74,7 @@ TEST(FlightSettings, ASensorHasAPlace) {
   EXPECT_EQ(setting_refusal("mount_offset=3,0,0"), "mount_offset 3 is not within -2 .. 2");
   EXPECT_EQ(setting_refusal("mount_pitch=-90"), "mount_pitch -90 is not within -1.571 .. 1.571");
   EXPECT_EQ(setting_refusal("gimbal_pitch=0.5,0.4"), "gimbal_pitch 0.4 is not within 0.5 .. 1.571");
+  EXPECT_EQ(setting_refusal("further_camera=0,-1.6"), "further_camera -1.6 is not within -1.571 .. 1.571");
   EXPECT_EQ(setting_refusal("depth_error=0.03"), "'depth_error' needs two numbers, found 1");
   EXPECT_EQ(setting_refusal("depth_error=0.03,0.005"), "");
 }

@@ -19,6 +19,12 @@ Json wind_json(const Air& air) {
   return air.has_angle ? Json{air.wind, air.angle} : Json(air.wind);
 }
 
+Json cameras_json(const FlightSettings& s) {
+  Json all = Json::array();
+  for (const FurtherCamera& camera : s.cameras) all.push_back({camera.turn, camera.pitch});
+  return all;
+}
+
 Json settings_json(const FlightSettings& s) {
   return {{"body_radius", s.body_radius},
           {"tracking_margin", s.tracking_margin},
@@ -40,6 +46,7 @@ Json settings_json(const FlightSettings& s) {
           {"mount", s.mount.kind},
           {"mount_offset", {s.mount.offset.x, s.mount.offset.y, s.mount.offset.z}},
           {"mount_pitch", s.mount.pitch},
+          {"further_camera", cameras_json(s)},
           {"gimbal_pitch", {s.mount.gimbal_low, s.mount.gimbal_high}},
           {"no_return", s.no_return},
           {"depth_noise", s.depth_noise},

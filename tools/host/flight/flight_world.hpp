@@ -45,6 +45,12 @@ struct AppearAhead {
   double distance = 0.0;  ///< metres of way; 0: none appears
 };
 
+/// A further camera: how far it is turned to the left of the vehicle's sensor and pitched up from it, rad.
+struct FurtherCamera {
+  double turn = 0.0;
+  double pitch = 0.0;
+};
+
 /// The largest error of a depth z: base + square * z * z. Metres, and 1 / metre.
 struct DepthError {
   double base = 0.0;
@@ -73,7 +79,8 @@ struct FlightSettings {
   int height = 120;
   double sensor_hz = 30.0;
   double sensor_latency = 0.033;
-  SensorMount mount;         ///< of the camera
+  SensorMount mount;  ///< of the camera
+  std::vector<FurtherCamera> cameras;
   double pixel_part = 1.0;   ///< how much of a pixel's width and height the camera sees: as depths_of_faces()
   double no_return = 0.0;    ///< as DepthView::no_return, for the camera
   double depth_noise = 0.0;  ///< largest error, metres a metre of depth

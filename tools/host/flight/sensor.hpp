@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <variant>
+#include <vector>
 
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/flight_tape.hpp"
@@ -19,8 +20,8 @@ namespace tern_host {
 /// Room that the largest frame takes in a record.
 std::size_t frame_bytes(const FlightSettings& settings);
 
-/// The vehicle's camera or lidar. Frames are taken at the sensor's rate, arrive late or not at all, and enter the map
-/// when it is ready.
+/// The vehicle's camera or lidar, and further cameras. Frames are taken at the sensor's rate, arrive late or not at
+/// all, and enter the map when it is ready.
 class Sensor {
  public:
   /// All must outlive the sensor. It sees `world`, of which `still_world` was there from the beginning.
@@ -39,6 +40,8 @@ class Sensor {
   using Frame = std::variant<DepthFrame, LidarScan>;
 
   Frame frame(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);
+  Frame image(std::int64_t t, const Vehicle& vehicle, const SensorMount& mount, double yaw, double pitch);
+  std::deque<Frame>* next(std::int64_t t);
   void enter(const DepthFrame& frame);
   void enter(const LidarScan& scan);
 
@@ -47,8 +50,9 @@ class Sensor {
   Noise& noise_;
   FlightTape& tape_;
   FrameWatch watch_;
-  std::deque<Frame> waiting_;
-  Frame entered_;  ///< in work in the map, or the last one that was
+  std::vector<std::deque<Frame>> waiting_;  ///< of the sensor, and of each further camera
+  std::size_t turn_ = 0;                    ///< the queue that was looked at last
+  Frame entered_;                           ///< in work in the map, or the last one that was
   std::int64_t taken_ = 0;
 };
 

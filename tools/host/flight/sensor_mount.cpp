@@ -7,12 +7,13 @@
 namespace tern_host {
 namespace {
 
-/// A sensor that is pitched up, and whose axes `axes` turns into the vehicle's.
+/// A sensor that is turned and pitched up, and whose axes `axes` turns into the vehicle's.
 tern::Pose pose_of(const SensorMount& mount, const tern::Vec3& position, const std::array<double, 4>& attitude,
                    double up, const Eigen::Quaterniond& axes) {
   const Eigen::Quaterniond body(attitude[0], attitude[1], attitude[2], attitude[3]);
   const Eigen::Quaterniond pitched(std::cos(0.5 * up), 0.0, -std::sin(0.5 * up), 0.0);
-  const Eigen::Quaterniond q = (body * pitched * axes).normalized();
+  const Eigen::Quaterniond turned(std::cos(0.5 * mount.turn), 0.0, 0.0, std::sin(0.5 * mount.turn));
+  const Eigen::Quaterniond q = (body * turned * pitched * axes).normalized();
   const Eigen::Vector3d off = body * Eigen::Vector3d(mount.offset.x, mount.offset.y, mount.offset.z);
   return {{position.x + off.x(), position.y + off.y(), position.z + off.z()}, {q.w(), q.x(), q.y(), q.z()}};
 }

@@ -16,13 +16,14 @@ namespace tern_host {
 struct SensorMount {
   std::string kind = "level";  ///< turns about the vertical alone; or body: tilts with the vehicle
   tern::Vec3 offset{};         ///< of the sensor from the vehicle's centre: ahead, left, up
+  double turn = 0.0;           ///< to the left of the vehicle's nose
   double pitch = 0.0;          ///< of its axis above the vehicle's level
   double gimbal_low = 0.0;     ///< how far a gimbal pitches it down and up from there; equal where none does
   double gimbal_high = 0.0;
 
   /// A camera in the vehicle's centre that looks level.
   bool is_plain() const {
-    return kind == "level" && std::hypot(offset.x, offset.y, offset.z) <= 0.0 && std::abs(pitch) <= 0.0 &&
+    return kind == "level" && std::hypot(offset.x, offset.y, offset.z) <= 0.0 && std::hypot(turn, pitch) <= 0.0 &&
            std::abs(gimbal_low) <= 0.0 && std::abs(gimbal_high) <= 0.0;
   }
 };

@@ -16,6 +16,7 @@ constexpr double kAllAround = 360.0 * kDegree;
 constexpr double kReadRounding = 1e-3;
 /// How far a camera may look up or down, with room for 1.5708.
 constexpr Range kPitch{-1.571, 1.571};
+constexpr Range kTurned{-3.142, 3.142};
 
 [[noreturn]] void throw_fov(double horizontal, double vertical, const Place& place) {
   std::string text = "sensor_fov " + brief(horizontal) + " " + brief(vertical) + ": both are in rad, " +
@@ -87,6 +88,12 @@ void set_pitch(FlightSettings& s, const Words& words, const Place& place) {
   s.mount.pitch = number_within(words, kPitch, place);
 }
 
+/// Each record adds one.
+void add_camera(FlightSettings& s, const Words& words, const Place& place) {
+  const std::vector<double> values = two_numbers(words, place);
+  s.cameras.push_back({within(words[0], values[0], kTurned, place), within(words[0], values[1], kPitch, place)});
+}
+
 void set_gimbal(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<double> values = two_numbers(words, place);
   s.mount.gimbal_low = within(words[0], values[0], kPitch, place);
@@ -102,7 +109,8 @@ void set_error(FlightSettings& s, const Words& words, const Place& place) {
 }  // namespace
 
 void check_fov(const FlightSettings& s, const Place& place) {
-  if (s.sensor != "lidar" && !holds(kFov, s.fov_horizontal)) throw_fov(s.fov_horizontal, s.fov_vertical, place);
+  const bool has_camera = s.sensor != "lidar" || !s.cameras.empty();
+  if (has_camera && !holds(kFov, s.fov_horizontal)) throw_fov(s.fov_horizontal, s.fov_vertical, place);
 }
 
 void add_sensor_setters(Setters& setters) {
@@ -119,6 +127,7 @@ void add_sensor_setters(Setters& setters) {
   setters["mount"] = set_mount;
   setters["mount_offset"] = set_offset;
   setters["mount_pitch"] = set_pitch;
+  setters["further_camera"] = add_camera;
   setters["gimbal_pitch"] = set_gimbal;
   setters["no_return"] = real(&S::no_return, 0.0, 1000.0);
   setters["depth_noise"] = real(&S::depth_noise, 0.0, 0.5);
