@@ -77,7 +77,7 @@ class Forest {
 constexpr double kAhead[4] = {0.5, -0.5, 0.5, -0.5};
 inline tern::DepthView camera(const std::uint16_t* z, std::int32_t width, std::int32_t height) {
   return {z,     nullptr, width, height, width, 0.5 * width, 0.5 * width, 0.5 * (width - 1), 0.5 * (height - 1),
-          0.001, 0.1,     59.0};
+          0.001, 0.1,     59.0,  0.0};
 }
 inline tern::Pose looking_ahead(const tern::Vec3& eye) {
   return {eye, {kAhead[0], kAhead[1], kAhead[2], kAhead[3]}};
