@@ -34,9 +34,9 @@ double narrowest_way(const MapSettings& map) {
 }
 
 std::string narrowest_way_text(const MapSettings& map) {
-  return "a way must be " + metres(narrowest_way(map)) + " to " + metres(narrowest_way(map) + 2.0 * map.cell) +
-         " wide: radius (" + metres(map.radius) + ") and tracking_margin (" + metres(map.tracking_margin) +
-         ") on both sides, in voxels of cell (" + metres(map.cell) + ")";
+  return "a way must be more than " + metres(narrowest_way(map)) + " wide: radius (" + metres(map.radius) +
+         ") and tracking_margin (" + metres(map.tracking_margin) + ") on both sides, in voxels of cell (" +
+         metres(map.cell) + "); what the sensor does not see beside walls comes on top (docs/map.md, Gaps)";
 }
 
 const char* Progress::note(const tern::FlightReport& report, double away, std::int64_t now) {

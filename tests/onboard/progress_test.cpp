@@ -60,7 +60,7 @@ TEST(Progress, KnowsHowWideAWayMustBe) {
   EXPECT_NEAR(tern_onboard::narrowest_way(map), 1.1, 1e-12);
   map.tracking_margin = 0.1;
   EXPECT_NEAR(tern_onboard::narrowest_way(map), 0.9, 1e-12);
-  EXPECT_NE(tern_onboard::narrowest_way_text(map).find("0.90 m to 1.10 m wide"), std::string::npos);
+  EXPECT_NE(tern_onboard::narrowest_way_text(map).find("more than 0.90 m wide"), std::string::npos);
 }
 
 TEST(Progress, IsToldWithWhatIsInTheWayAndWhatToDo) {

@@ -13,10 +13,10 @@
 
 namespace tern_onboard {
 
-/// The least width of a way that plans fly through, metres: an odd number of voxels (docs/flight.md, Choosing). Walls
-/// that do not lie on the edges of voxels take up to a voxel more on each side.
+/// The least width of a way that plans fly through, metres, if the sensor sees all of it and the voxels lie well: an
+/// odd number of voxels. docs/map.md (Gaps) has what comes on top.
 double narrowest_way(const MapSettings& map);
-/// "a way must be 1.50 m to 1.70 m wide", and what it follows from.
+/// "a way must be more than 1.50 m wide", and what it follows from.
 std::string narrowest_way_text(const MapSettings& map);
 
 /// What to do for narrower ones.
