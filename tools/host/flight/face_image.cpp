@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Polygon = std::vector<Vector3d>;
 
-constexpr double kNearest = 0.01;  ///< metres
+constexpr double kClosest = 0.01;  ///< metres
 constexpr double kBulge = 0.002;   ///< metres from a cylinder to the corners of its prism
 
 /// The part of a convex polygon at which sign * (coordinate - border) >= 0.
@@ -82,7 +82,7 @@ class FaceImage {
   void draw(const Polygon& face) {
     seen_.clear();
     for (const Vector3d& corner : face) seen_.push_back(turn_ * (corner - eye_));
-    cut(seen_, 2, kNearest, 1.0, cut_);
+    cut(seen_, 2, kClosest, 1.0, cut_);
     double top = 1e9, bottom = -1e9, nearest = 0.0;
     for (Vector3d& p : cut_) {
       p = {p.x() / p.z(), p.y() / p.z(), 1.0 / p.z()};

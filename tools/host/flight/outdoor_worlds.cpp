@@ -141,7 +141,7 @@ std::string power_lines(Noise& random) {
   return text;
 }
 
-struct Trunk {
+struct LeaningTrunk {
   double x, y, lean_x, lean_y, radius;  ///< `lean`: metres aside for each metre up
 
   double away_from(double at_x, double at_y, double height) const {
@@ -158,8 +158,8 @@ std::string leaning_trunks(Noise& random) {
   for (int k = 0; k < 26; ++k) {
     const double heading = random.within(0.0, kTurn);
     const double lean = random.within(0.18, 0.7);
-    const Trunk t{random.within(2.0, 38.0), random.within(-9.0, 9.0), lean * std::cos(heading),
-                  lean * std::sin(heading), random.within(0.12, 0.25)};
+    const LeaningTrunk t{random.within(2.0, 38.0), random.within(-9.0, 9.0), lean * std::cos(heading),
+                         lean * std::sin(heading), random.within(0.12, 0.25)};
     if (t.away_from(0.0, 0.0, kAbove) < 2.0 || t.away_from(40.0, 0.0, kAbove) < 2.0) continue;
     for (double z = 0.0; z < kHigh - 0.5 * kPiece; z += kPiece) {
       text += record_line("cylinder", {t.x + t.lean_x * z, t.y + t.lean_y * z, z, z + kPiece, t.radius});
