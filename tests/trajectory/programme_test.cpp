@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "tern/trajectory.hpp"
 #include "trajectory/hodograph_points.hpp"
 #include "trajectory/turning.hpp"
+#include "trajectory/turning_rows.hpp"
 
 namespace {
 
@@ -198,7 +200,7 @@ TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurations) {
 
 /// A segment without unknowns has no points. Here it is the first one, which ends at rest at a via, and then the only
 /// one of a chain.
-TEST(Programme, FloorsOfThrustAreThoseOfTheirSegments) {
+TEST(Programme, RowsOfBodyRatesAreThoseOfTheirInstants) {
   tern_test::Random random(8);
   const auto c = std::make_unique<Case>(random);
   Chain& chain = c->chain;
@@ -213,20 +215,25 @@ TEST(Programme, FloorsOfThrustAreThoseOfTheirSegments) {
   chain.via_joints[0].stop = true;
   chain.via_joints[0].position = c->corridor.polyhedra[0].to;
   assemble(chain, c->corridor, limits, turning.get(), c->problem, c->scale);
-  int floors = 0;
+  std::array<int, kMaxSegments> rows{};
   for (int g = 0; g < c->problem.group_count; ++g) {
     const QpGroup& group = c->problem.groups[g];
     ASSERT_LT(group.point_begin, group.point_end);
     ASSERT_LE(group.point_end, c->problem.point_count);
-    const int segment = group.plane_begin - c->scale.floors;
-    if (segment < 0 || segment >= chain.count) continue;
-    ++floors;
+    const int row = group.plane_begin - c->scale.turning;
+    if (row < 0 || row >= kQpTurningPlanes * kJerkPoints * chain.count) continue;
+    const int order = row % kQpTurningPlanes == 0 ? 2 : 3;
+    ++rows[static_cast<std::size_t>(row / kQpTurningPlanes / kJerkPoints)];
     for (int k = group.point_begin; k < group.point_end; ++k) {
-      EXPECT_EQ(c->scale.origin[k].order, 2);
-      EXPECT_EQ(c->scale.origin[k].segment, segment);
+      const PointOrigin& origin = c->scale.origin[k];
+      EXPECT_EQ(origin.order, order);
+      EXPECT_EQ(origin.segment, row / kQpTurningPlanes / kJerkPoints);
+      const int instant = order == 3 ? origin.index : nearest_jerk_point(origin.index);
+      EXPECT_EQ(instant, row / kQpTurningPlanes % kJerkPoints);
     }
   }
-  EXPECT_EQ(floors, chain.count - 1);
+  EXPECT_EQ(rows[0], 0);
+  EXPECT_EQ(rows[2], 2 * kJerkPoints - 1);
   chain.count = 1;
   chain.via_joint_count = 0;
   assemble(chain, c->corridor, limits, turning.get(), c->problem, c->scale);

@@ -44,7 +44,7 @@ constexpr size_t kFences =
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
 constexpr size_t kTrajectory =
-    kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
+    kSegments * (16900 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
 /// The check: for each segment, normals along which keep-outs are cut off.
 constexpr size_t kCheck = kSegments * kMaxFences * 272 + kFencePlanes * 256 + 8192;
 /// The results, which outlive the stages that made them: the path and its current leg, vias, corridor, trajectory, the
@@ -53,7 +53,7 @@ constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegme
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 103 kB for the profile tiny, 336 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Bytes that a planner needs: 117 kB for the profile tiny, 336 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
 /// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
 /// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES

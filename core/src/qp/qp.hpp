@@ -29,11 +29,16 @@ constexpr int kQpPointTerms = 8;                            ///< unknowns that o
 /// Positions, velocities on halves, accelerations on quarters, jerks on halves.
 constexpr int kQpPointsPerSegment = 8 + 13 + 21 + 9;
 constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment + kMaxVias;
-constexpr int kQpMaxGroups = 5 * kMaxSegments + kMaxVias;
+/// Instants of a segment at which a limit on body rates has rows of its own, and their planes: one below the thrust,
+/// four around the jerk.
+constexpr int kQpTurningInstants = 9;
+constexpr int kQpTurningPlanes = 5;
+constexpr int kQpMaxGroups = (4 + 2 * kQpTurningInstants) * kMaxSegments + kMaxVias;
 /// Planes of the limits on thrust and tilt.
 constexpr int kQpThrustPlanes = 7 * 16;
-/// Polyhedra, and a plane for the vertical thrust; velocity, acceleration, thrust and jerk limits; cubes around vias.
-constexpr int kQpMaxPlanes = kMaxSegments * (kMaxPlanes + 1) + 3 * 22 + kQpThrustPlanes + 6 * kMaxVias;
+/// Polyhedra and body rates; velocity, acceleration, thrust and jerk limits; cubes around vias.
+constexpr int kQpMaxPlanes =
+    kMaxSegments * (kMaxPlanes + kQpTurningInstants * kQpTurningPlanes) + 3 * 22 + kQpThrustPlanes + 6 * kMaxVias;
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
 /// terms = 0 makes a constant point, whose constraints can only be checked.

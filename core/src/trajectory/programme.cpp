@@ -9,6 +9,7 @@
 #include "trajectory/limit_planes.hpp"
 #include "trajectory/piece.hpp"
 #include "trajectory/thrust_planes.hpp"
+#include "trajectory/turning_rows.hpp"
 
 namespace tern {
 namespace {
@@ -16,11 +17,6 @@ namespace {
 /// Stiffness of the springs at vias, relative to the Hessian's diagonal. Their part of the cost is below the solver's
 /// tolerance.
 constexpr double kSpring = 1e-10;
-
-/// Without a limit on thrust, constraints let the jerk go as far as this thrust would, m/s^2.
-constexpr double kMostThrust = 8.0 * kGravity;
-/// The most jerk, over that which turns the thrust across it at the limit.
-constexpr double kMostTurn = 8.0;
 
 static_assert(kControlPoints + kVelocityPoints + kAccelerationPoints + kJerkPoints <= kQpPointsPerSegment,
               "room for a segment's points");
@@ -183,53 +179,41 @@ double add_limit_planes(const Bounds& bounds, const Vec3& along, int order, QpPr
   return limit.unit;
 }
 
-/// Adds the constraints of one kind of limit for every segment. All segments but the first leave out their first point:
-/// it is the last point of the segment before.
-void add_limit_constraints(const Chain& chain, ProgrammeScale& scale, const Bounds& bounds, int order,
-                           QpProblem& problem) {
+/// Adds the points of one derivative, in the scale's unit, and a group for each segment unless there are no planes from
+/// `plane_begin` on. All segments but the first leave out their first point: it is the last point of the segment
+/// before.
+void add_order_points(const Chain& chain, ProgrammeScale& scale, int order, int plane_begin, QpProblem& problem) {
   const EndWeightList points = end_weights_of(order);
-  const int plane_begin = problem.plane_count;
-  scale.unit[order] = add_limit_planes(bounds, kept_state(chain, order), order, problem);
   for (int i = 0; i < chain.count; ++i) {
     const Piece piece = piece_of(chain, scale, i);
-    const double power = power_of(chain.duration[i], order);
-    double multiplier = 1.0 / (power * scale.unit[order]);
+    const double multiplier = 1.0 / (power_of(chain.duration[i], order) * scale.unit[order]);
     const int point_begin = problem.point_count;
     for (int r = i == 0 ? 0 : 1; r < points.count; ++r) {
-      const PointOrigin origin = origin_of(i, order, r);
-      if (order == 3) multiplier = 1.0 / (power * unit_of(scale, origin));
-      add_point(piece, points.list[r], multiplier, origin, scale, problem);
+      add_point(piece, points.list[r], multiplier, origin_of(i, order, r), scale, problem);
     }
-    add_group(point_begin, plane_begin, problem.plane_count, problem);
+    if (plane_begin < problem.plane_count) add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
 
-/// Adds constraints for a limit on body rates: a plane for each segment, below its accelerations, and the jerk's.
-/// Limits on jerk become so much smaller at each point that they lie in the point's cylinder.
-void add_turning_constraints(const Chain& chain, const MotionLimits& limits, const Turning& turning, int acceleration,
-                             ProgrammeScale& scale, QpProblem& problem) {
-  scale.floors = problem.plane_count;
-  for (int i = 0; i < chain.count; ++i) {
-    const double fall = (kGravity - turning.thrust[i]) / scale.unit[2] * (1.0 - kConstraintMargin);
-    problem.planes[problem.plane_count++] = Halfspace{{0.0, 0.0, -1.0}, fall};
+/// Adds the constraints of one kind of limit for every segment.
+void add_limit_constraints(const Chain& chain, ProgrammeScale& scale, const Bounds& bounds, int order,
+                           QpProblem& problem) {
+  const int plane_begin = problem.plane_count;
+  scale.unit[order] = add_limit_planes(bounds, kept_state(chain, order), order, problem);
+  add_order_points(chain, scale, order, plane_begin, problem);
+}
+
+/// Adds the constraints of the jerk, with those of body rates.
+void add_jerk_constraints(const Chain& chain, const MotionLimits& limits, const Turning* turning, int accelerations,
+                          ProgrammeScale& scale, QpProblem& problem) {
+  const int jerks = problem.point_count;
+  if (limits_anything(limits.jerk)) {
+    add_limit_constraints(chain, scale, limits.jerk, 3, problem);
+  } else if (limits.rate > 0.0) {
+    scale.unit[3] = limits.rate * kGravity;
+    add_order_points(chain, scale, 3, problem.plane_count, problem);
   }
-  // A segment whose accelerations are all constant has no group.
-  for (int g = acceleration, end = problem.group_count; g < end; ++g) {
-    const QpGroup& group = problem.groups[g];
-    const int floor = scale.floors + scale.origin[group.point_begin].segment;
-    problem.groups[problem.group_count++] = QpGroup{group.point_begin, group.point_end, floor, floor + 1};
-  }
-  const double most =
-      kMostTurn * limits.rate * (limits.acceleration.thrust > 0.0 ? limits.acceleration.thrust : kMostThrust);
-  Bounds jerk = limits.jerk;
-  jerk.horizontal = jerk.horizontal > 0.0 ? smaller(jerk.horizontal, most) : most;
-  jerk.upper.z = smaller(jerk.upper.z, most);
-  jerk.lower.z = -jerk.upper.z;
-  const double extent = larger(horizontal_extent(jerk), jerk.upper.z);
-  for (int i = 0; i < chain.count; ++i) {
-    for (int r = 0; r < kJerkPoints; ++r) scale.part[i][r] = smaller(1.0, turning.jerk[i][r] / extent);
-  }
-  add_limit_constraints(chain, scale, jerk, 3, problem);
+  if (limits.rate > 0.0) add_turning_rows(*turning, chain.count, accelerations, jerks, scale, problem);
 }
 
 /// Adds the constraints that keep the joints at vias with a tolerance in their cubes.
@@ -274,16 +258,9 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   add_via_joints(chain, scale, problem);
   add_corridor(chain, corridor, scale, problem);
   add_limit_constraints(chain, scale, limits.velocity, 1, problem);
-  const int acceleration = problem.group_count;
+  const int accelerations = problem.point_count;
   add_limit_constraints(chain, scale, limits.acceleration, 2, problem);
-  for (int i = 0; i < chain.count; ++i) {
-    for (double& part : scale.part[i]) part = 1.0;
-  }
-  if (limits.rate > 0.0) {
-    add_turning_constraints(chain, limits, *turning, acceleration, scale, problem);
-  } else if (limits_anything(limits.jerk)) {
-    add_limit_constraints(chain, scale, limits.jerk, 3, problem);
-  }
+  add_jerk_constraints(chain, limits, turning, accelerations, scale, problem);
   add_via_constraints(chain, scale, problem);
 }
 

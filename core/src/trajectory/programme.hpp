@@ -27,10 +27,22 @@ struct PointOrigin {
   std::int8_t index;
 };
 
-/// With a limit on body rates, what the rows of each segment bound (trajectory/turning.hpp).
+static_assert(kJerkPoints == kQpTurningInstants, "room for the rows of body rates");
+
+/// With a limit on body rates, what the rows at an instant of a segment bound (trajectory/turning.hpp).
+struct TurningRows {
+  Vec3 thrust;   ///< unit vector along the thrust
+  Vec3 turn;     ///< unit vector across the thrust, to where the jerk turns it
+  double least;  ///< of the thrust's part along `thrust`, m/s^2
+  double most;   ///< of the jerk's part along `turn`, either way, m/s^3
+  double side;   ///< of the jerk's part across both, either way, m/s^3
+};
+
+/// The rows of all jerk points, and how the last solution would share each bound.
 struct Turning {
-  double jerk[kMaxSegments][kJerkPoints];  ///< of each point, m/s^3, horizontally and vertically
-  double thrust[kMaxSegments];             ///< m/s^2, vertically, from below
+  TurningRows rows[kMaxSegments][kJerkPoints];
+  double share[kMaxSegments][kJerkPoints];  ///< above 1: more thrust, and more jerk across it
+  double worth[kMaxSegments][kJerkPoints];  ///< what both bounds cost that solution
 };
 
 /// How to convert a programme's unknowns to states, its points to parts of segments, and its cost to snap.
@@ -38,8 +50,7 @@ struct ProgrammeScale {
   double tau;                               ///< mean duration, seconds
   double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
   double unit[4];                           ///< unit of the points of each order: metres, m/s, m/s^2, m/s^3
-  double part[kMaxSegments][kJerkPoints];   ///< of the jerk's unit, at each point; 1 without a limit on rates
-  int floors;                               ///< the first of the planes that bound each segment's vertical thrust
+  int turning;                              ///< the first plane of the limit on body rates
   double snap_per_cost;                     ///< integral of squared snap divided by the programme's objective
   PointOrigin origin[kQpMaxPoints];
 };
@@ -52,11 +63,6 @@ struct ProgrammeScale {
 /// `turning` is read only with a limit on body rates.
 void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, const Turning* turning,
               QpProblem& problem, ProgrammeScale& scale) noexcept;
-
-/// The unit of a programme's point.
-inline double unit_of(const ProgrammeScale& scale, const PointOrigin& origin) noexcept {
-  return origin.order == 3 ? scale.unit[3] * scale.part[origin.segment][origin.index] : scale.unit[origin.order];
-}
 
 /// The control points of a solution. `points`: chain.count rows of kControlPoints, local frame. Segments have the same
 /// bits at a common joint. The first and the last control point are the start and the goal, bit for bit.

@@ -53,7 +53,7 @@ void time_prices(const Chain& chain, const QpProblem& problem, const QpSolution&
     const PointOrigin& origin = scale.origin[active.point];
     const int i = origin.segment;
     drift_of(points[i], drift);
-    const Vec3 change = point_drift(origin, points[i], drift, chain.duration[i], unit_of(scale, origin));
+    const Vec3 change = point_drift(origin, points[i], drift, chain.duration[i], scale.unit[origin.order]);
     prices[i] -= scale.snap_per_cost * solution.multiplier[r] * dot(problem.planes[active.plane].normal, change);
   }
 }

@@ -10,6 +10,7 @@
 #include "trajectory/programme.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/turning.hpp"
+#include "trajectory/turning_rows.hpp"
 
 namespace tern {
 namespace {
@@ -70,6 +71,10 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   }
   work.spend(kEndOperations * fit_ends(corridor, stage.query.limits, stage.chain));
   if (stage.chain.via_joint_count > 0) even_out(stage.chain);
+  if (stage.query.limits.rate > 0.0 && stage.best.found) {
+    work.spend(kTurningOperations * stage.chain.count);
+    follow_turning({stage.chain, stage.best.points}, stage.query.limits, stage.turning);
+  }
   assemble(stage.chain, corridor, stage.query.limits, &stage.turning, stage.problem, stage.scale);
   stage.fixed_snap = fixed_snap(stage);
   work.spend(assembly_operations(stage.chain, stage.problem));
@@ -145,8 +150,8 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   if (!via_joints) stage.solve_status = Status::kNumerical;
   if (stage.query.limits.rate > 0.0) {
     work.spend(kRateOperations * stage.chain.count);
-    const double stretch = smaller(1.0, round.offer.stretch);
-    learn_turning(candidate, stretch, stage.problem, stage.solution, stage.scale, stage.query.limits, stage.turning);
+    share_turning(stage.problem, stage.solution, stage.scale, stage.chain.count, stage.turning);
+    if (!stage.best.found) follow_turning(candidate, stage.query.limits, stage.turning);
   }
   round.better = better && via_joints;
   if (!round.better) return;

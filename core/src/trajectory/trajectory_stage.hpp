@@ -114,6 +114,9 @@ inline Operations points_operations(const Chain& chain) {
 /// Of each segment, with a limit on body rates: its rates at some stretches, over some pieces each, about.
 constexpr Operations kRateOperations = 64 * ops::kCurve;
 
+/// Of each segment, with a limit on body rates: the rows that follow from a plan.
+constexpr Operations kTurningOperations = 8 * ops::kCurve;
+
 /// The prices of the durations: five curves a segment, and two points for each active constraint.
 inline Operations prices_operations(const Chain& chain, const QpSolution& solution) {
   return 5 * ops::kCurve * chain.count + 2 * ops::kPiece * solution.active_count;

@@ -4,114 +4,110 @@
 
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
-#include "curve/body_rate.hpp"
+#include "trajectory/turning_rows.hpp"
 
 namespace tern {
 namespace {
 
 /// The least vertical thrust at first, of the hover's.
 constexpr double kFirstThrust = 0.6;
-/// Of what the last solution allows: more thrust and less jerk, because the next one's are not as well known.
-constexpr double kThrustShare = 1.1;
+/// Of the jerk that the thrust allows: the next solution is not as well known.
 constexpr double kJerkShare = 0.97;
-/// What is learned from one solution changes a point's jerk by no more than this factor.
-constexpr double kMostChange = 2.0;
-/// Both bounds of a segment rise, or fall, by no more than this part of them for what they cost.
-constexpr double kStep = 0.1;
-/// Of the rate's limit: a lower rate counts as this.
-constexpr double kLeastShare = 0.05;
-/// A jerk along the thrust turns nothing. It counts as at least this part across it.
-constexpr double kLeastAcross = 0.125;
-constexpr double kThrustAccuracy = 1e-2;
+/// Of the rate's limit: rates below and above count as these.
+constexpr double kLeastRate = 0.05;
+constexpr double kMostRate = 20.0;
+/// A jerk whose part across the thrust is smaller than this has no sure direction.
+constexpr double kSureDirection = 1e-6;
 
-/// The gauge of the cylinder of which the rows of a point are a part.
-constexpr Bounds kCylinder{{-kUnlimited, -kUnlimited, -1.0}, {kUnlimited, kUnlimited, 1.0}, 1.0};
+constexpr Vec3 kUp{0.0, 0.0, 1.0};
 
 /// Lets the rows of half a segment have a boundary state.
-void allow(const JointState& state, const MotionLimits& limits, double* jerk, double& least_thrust) {
-  const double norm = length(state.d[2] + Vec3{0.0, 0.0, kGravity});
-  const double least = larger(limits.rate * norm, gauge(kCylinder, state.d[3]));
-  for (int r = 0; r <= kJerkPoints / 2; ++r) jerk[r] = larger(jerk[r], least);
-  least_thrust = smaller(least_thrust, state.d[2].z + kGravity);
+void allow(const JointState& state, const MotionLimits& limits, TurningRows* rows) {
+  const Vec3 force = state.d[2] + kGravity * kUp;
+  for (int r = 0; r <= kJerkPoints / 2; ++r) {
+    const double across = larger(limits.rate * length(force), length(cross(state.d[3], rows[r].thrust)));
+    rows[r].most = larger(rows[r].most, across);
+    rows[r].side = larger(rows[r].side, across);
+    rows[r].least = smaller(rows[r].least, dot(force, rows[r].thrust));
+  }
 }
 
 void allow_ends(const Chain& chain, const MotionLimits& limits, Turning& turning) {
-  const int last = chain.count - 1;
-  allow(chain.start, limits, turning.jerk[0], turning.thrust[0]);
-  allow(chain.goal, limits, turning.jerk[last] + kJerkPoints / 2, turning.thrust[last]);
+  allow(chain.start, limits, turning.rows[0]);
+  allow(chain.goal, limits, turning.rows[chain.count - 1] + kJerkPoints / 2);
 }
 
-/// What the bounds of each segment cost: the solution's multipliers times what a relative change of them changes.
-struct Worth {
-  double jerk[kMaxSegments];
-  double thrust[kMaxSegments];
-};
+/// A point of kHodographPoints, without powers of the time.
+Vec3 point_of(const Segment& segment, const double* weights) {
+  Vec3 sum = kZero;
+  for (int k = 0; k < kControlPoints; ++k) sum = sum + weights[k] * segment.points[k];
+  return sum;
+}
 
-void weigh(const Candidate& candidate, const QpProblem& problem, const QpSolution& solution,
-           const ProgrammeScale& scale, const Turning& turning, Worth& worth) {
-  for (int i = 0; i < candidate.chain.count; ++i) worth.jerk[i] = worth.thrust[i] = 0.0;
-  for (int r = 0; r < solution.active_count; ++r) {
-    const QpConstraint& active = solution.active[r];
-    const PointOrigin& origin = scale.origin[active.point];
-    const int i = origin.segment;
-    if (origin.order == 3) worth.jerk[i] += solution.multiplier[r] * problem.planes[active.plane].offset;
-    if (origin.order == 2 && active.plane >= scale.floors) {
-      worth.thrust[i] += solution.multiplier[r] * turning.thrust[i] / scale.unit[2];
-    }
+/// The least part along a direction of the thrust's points that are nearest to the instant.
+double least_thrust(const Segment& segment, int instant, const Vec3& along) {
+  const double unit = 1.0 / power_of(segment.duration, 2);
+  double least = kUnlimited;
+  for (int s = 0; s < kAccelerationPoints; ++s) {
+    if (nearest_jerk_point(s) != instant) continue;
+    least = smaller(least, unit * dot(point_of(segment, kHodographPoints.acceleration[s]), along));
   }
+  return least + kGravity * along.z;
 }
 
-/// The largest jerk of this direction, by the cylinder's gauge, that turns this thrust no faster than the limit.
-double allowed_jerk(const Vec3& thrust, const Vec3& jerk, double rate) {
-  const double norm = length(thrust);
-  const double size = length(jerk);
-  if (!(size > 0.0)) return rate * norm;
-  const double across = larger(kLeastAcross * size * norm, length(cross(jerk, thrust)));
-  return rate * norm * norm * gauge(kCylinder, jerk) / across;
+/// The unit vector along the part of a jerk across a direction; any one across it if there is no such part.
+Vec3 turn_of(const Vec3& jerk, const Vec3& along) {
+  const Vec3 across = jerk - dot(jerk, along) * along;
+  const double size = length(across);
+  if (size > kSureDirection * (1.0 + length(jerk))) return (1.0 / size) * across;
+  const Vec3 any = cross(along, absolute(along.x) < 0.7 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0});
+  return (1.0 / length(any)) * any;
 }
 
-/// The least vertical thrust over a curve of accelerations.
-double least_thrust(const Curve& acceleration) {
-  constexpr Bounds kDown{{-kUnlimited, -kUnlimited, -1.0}, {kUnlimited, kUnlimited, kUnlimited}, 0.0};
-  return kGravity - peak_bound(acceleration, kDown, 0.0, kThrustAccuracy);
-}
-
-/// Learns the bounds of one segment, and multiplies both by `change`.
-void learn(const Segment& segment, double change, const MotionLimits& limits, double* jerks, double& thrust) {
-  const Curve acceleration = hodograph(hodograph(curve_of(segment), segment.duration), segment.duration);
-  const Curve jerk = hodograph(acceleration, segment.duration);
-  for (int r = 0; r < kJerkPoints; ++r) {
-    const double u = static_cast<double>(r) / (kJerkPoints - 1);
-    const Vec3 force = value(acceleration, u) + Vec3{0.0, 0.0, kGravity};
-    const double allowed = kJerkShare * change * allowed_jerk(force, value(jerk, u), limits.rate);
-    jerks[r] = clamp(allowed, jerks[r] / kMostChange, jerks[r] * kMostChange);
-  }
-  const double share = square_root(peak_rate(segment, kLeastShare * limits.rate, kRateAccuracy) / limits.rate);
-  thrust = larger(kGravity + limits.acceleration.lower.z, kThrustShare * share * change * least_thrust(acceleration));
+/// The rows at one instant, where the plan has this thrust and this jerk.
+TurningRows rows_at(const Segment& segment, int instant, const Vec3& force, const Vec3& jerk, double share,
+                    double limit) {
+  TurningRows rows;
+  const double norm = length(force);
+  rows.thrust = norm > 0.0 ? (1.0 / norm) * force : kUp;
+  rows.turn = turn_of(jerk, rows.thrust);
+  const double rate = norm > 0.0 ? dot(jerk, rows.turn) / norm : kUnlimited;
+  const double excess = clamp(rate / limit, kLeastRate, kMostRate);
+  // Between the thrust that the plan's jerk needs and the thrust that it has: jerk and thrust may change by as much.
+  const double thrust = square_root(excess) * share * norm;
+  const double allowed = kJerkShare * limit * thrust;
+  const double least = least_thrust(segment, instant, rows.thrust);
+  const Vec3 own = (1.0 / power_of(segment.duration, 3)) * point_of(segment, kHodographPoints.jerk[instant]);
+  rows.least = smaller(thrust, larger(1.0, share) * least);
+  rows.most = larger(allowed, smaller(1.0, share) * dot(own, rows.turn));
+  rows.side = larger(allowed, absolute(dot(own, cross(rows.thrust, rows.turn))));
+  return rows;
 }
 
 }  // namespace
 
 void first_turning(const Chain& chain, const MotionLimits& limits, Turning& turning) noexcept {
+  const double jerk = limits.rate * kGravity;
+  const double thrust = larger(kFirstThrust * kGravity, kGravity + limits.acceleration.lower.z);
   for (int i = 0; i < chain.count; ++i) {
-    for (double& jerk : turning.jerk[i]) jerk = limits.rate * kGravity;
-    turning.thrust[i] = larger(kFirstThrust * kGravity, kGravity + limits.acceleration.lower.z);
+    for (TurningRows& rows : turning.rows[i]) rows = {kUp, {1.0, 0.0, 0.0}, thrust, jerk, jerk};
+    for (double& share : turning.share[i]) share = 1.0;
   }
   allow_ends(chain, limits, turning);
 }
 
-void learn_turning(const Candidate& candidate, double stretch, const QpProblem& problem, const QpSolution& solution,
-                   const ProgrammeScale& scale, const MotionLimits& limits, Turning& turning) noexcept {
-  Worth worth;
-  weigh(candidate, problem, solution, scale, turning, worth);
-  for (int i = 0; i < candidate.chain.count; ++i) {
-    Segment segment = segment_of(candidate, i);
-    segment.duration *= stretch;
-    const double both = worth.jerk[i] + worth.thrust[i];
-    const double balance = both > 0.0 ? (worth.jerk[i] - worth.thrust[i]) / both : 0.0;
-    learn(segment, 1.0 + kStep * balance, limits, turning.jerk[i], turning.thrust[i]);
+void follow_turning(const Candidate& plan, const MotionLimits& limits, Turning& turning) noexcept {
+  for (int i = 0; i < plan.chain.count; ++i) {
+    const Segment segment = segment_of(plan, i);
+    const Curve acceleration = hodograph(hodograph(curve_of(segment), segment.duration), segment.duration);
+    const Curve jerk = hodograph(acceleration, segment.duration);
+    for (int r = 0; r < kJerkPoints; ++r) {
+      const double u = static_cast<double>(r) / (kJerkPoints - 1);
+      const Vec3 force = value(acceleration, u) + kGravity * kUp;
+      turning.rows[i][r] = rows_at(segment, r, force, value(jerk, u), turning.share[i][r], limits.rate);
+    }
   }
-  allow_ends(candidate.chain, limits, turning);
+  allow_ends(plan.chain, limits, turning);
 }
 
 }  // namespace tern

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Limits on body rates in a programme. A rate is the jerk across the thrust over the thrust, so its limit is no
-// half-space. A programme bounds the jerk at each of its points from above instead, and each segment's vertical thrust
-// from below. Both follow from the last solution: from its thrust and the direction of its jerk, from its rates, and
-// from what each of the two bounds cost it.
+// half-space. At each instant with a jerk point, a programme bounds the jerk across the thrust from above, and the
+// thrust from below. Both follow from a plan, flown at the programme's durations: the directions of thrust and jerk,
+// how much rate is left, and what each of the two bounds cost the last solution.
 #ifndef TERN_TRAJECTORY_TURNING_HPP
 #define TERN_TRAJECTORY_TURNING_HPP
 
@@ -17,11 +17,8 @@ namespace tern {
 /// Near both ends of the chain, what the boundary state has and allows.
 void first_turning(const Chain& chain, const MotionLimits& limits, Turning& turning) noexcept;
 
-/// Learns from a solution, flown with this stretch: the jerk that turns its thrust at the limit, and a thrust about as
-/// low as its own, lower where its rates leave room. Both bounds of a segment rise where the jerk's rows cost more, and
-/// fall where the thrust's do.
-void learn_turning(const Candidate& candidate, double stretch, const QpProblem& problem, const QpSolution& solution,
-                   const ProgrammeScale& scale, const MotionLimits& limits, Turning& turning) noexcept;
+/// Takes the rows from a plan, whose points may be those of other durations.
+void follow_turning(const Candidate& plan, const MotionLimits& limits, Turning& turning) noexcept;
 
 }  // namespace tern
 
