@@ -108,6 +108,14 @@ def motion(rng):
     return lines
 
 
+def vehicles(rng):
+    """Thrust, tilt and body rates of vehicles from a racer to a loaded carrier, half of them in motion."""
+    motion_of = motion if rng.random() < 0.5 else boxes
+    lines = motion_of(rng) + [line("v_max", rng.uniform(2, 10)), line("a_max", rng.uniform(4, 40))]
+    lines += [line("thrust_max", rng.uniform(13, 49)), line("thrust_min", rng.uniform(1, 4))]
+    return lines + [line("tilt_tangent", rng.uniform(0.5, 3.7)), line("rate_max", rng.uniform(2, 12))]
+
+
 def vias(rng):
     """Points on the way, some of them stops, some with a velocity."""
     lines = boxes(rng)
@@ -155,7 +163,7 @@ def maps(rng, folder):
 
 
 FAMILIES = {"forest": forest, "boxes": boxes, "walls": walls, "limits": limits, "fences": fences, "motion": motion,
-            "vias": vias, "beyond": beyond, "far": far, "maps": maps}
+            "vehicles": vehicles, "vias": vias, "beyond": beyond, "far": far, "maps": maps}
 
 
 ROOM = 0.45  # metres around starts, goals and vias that random blocks leave

@@ -10,6 +10,9 @@ FLOWN = "P49 P36 P25 P12 S05 S10 S20 C B O M L G I D".split()
 # As in campaigns of flights: errors of the sensor, besides the vehicle's.
 SETTINGS = ["depth_noise=0.01", "outliers=0.01"]
 
+# Claims that plans and flights have where the vehicle has such limits. That of thrust is one on acceleration.
+VEHICLE = {"tilt": "tilt", "body": "body rate"}
+
 
 class Plans:
     """Planned with `tern plan`. Of a scenario without a plan, the planner's status is kept."""
@@ -17,7 +20,7 @@ class Plans:
     # Claims of one kind share a column.
     groups = {"joint": "joints", "start": "ends", "goal": "ends", "reachable": "ends", "via": "vias",
               "boundary": "boundary", "curve": "curve", "fence": "fences",
-              "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk"}
+              "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk", **VEHICLE}
 
     def __init__(self, tern, maps, settings):
         self.tern, self.maps, self.settings = tern, maps, settings
@@ -43,7 +46,7 @@ class Flights:
     """Flown with `tern fly`, and held against the worlds that `tern world` writes."""
     name, families = "flights", FLOWN
     groups = {"joint": "joints", "rest": "rest", "takeover": "takeovers", "goal": "goal", "curve": "curve",
-              "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk",
+              "velocity": "velocity", "acceleration": "acceleration", "jerk": "jerk", **VEHICLE,
               "flown: commands": "commands", "flown: tracking": "tracking", "flown: body": "body"}
 
     def __init__(self, tern, maps, settings):
