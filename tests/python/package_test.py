@@ -251,6 +251,14 @@ class Flights(unittest.TestCase):
         self.assertAlmostEqual(tick.stray, 0.25)
         self.assertEqual(tick.speed_share, 1.0)  # this map has no tracking margin
 
+    def test_no_return_is_what_is_stated(self):
+        for stated in (0.0, 3.0):
+            rolling_map = tern.RollingMap((0, 0, 0), 0.1, (64, 20, 20), 0.2, pixels=4096)
+            rolling_map.begin_depth(np.zeros((41, 41)), (20, 20, 20, 20), (1, 1, 1), (0.5, -0.5, 0.5, -0.5), t=0,
+                                    no_return=stated)
+            rolling_map.finish()
+            self.assertEqual(rolling_map.seen((30, 10, 10)), stated > 0.0)
+
     def test_a_fence_in_the_way_is_named(self):
         rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)
         rolling_map.assume_free((0, 0, 1.5), 6.0)

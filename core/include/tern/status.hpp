@@ -51,8 +51,8 @@ enum class Status : uint8_t {
   kRecordDamaged = 20,
   /// Only for records: another version of the format wrote it.
   kRecordVersion = 21,
-  /// Only from Flight::tick() and a RollingMap: the time is before the last one, so the clock was set back. Nothing was
-  /// done. Go on once the clock has caught up, or call Flight::set_clock().
+  /// Only from Flight::tick() and a RollingMap: the time is before the last one (a frame's: by over kMaxFrameDelay), so
+  /// the clock was set back. Nothing was done. Go on once it has caught up, or call Flight::set_clock().
   kClockBehind = 22,
 
   // 30 .. 49: the request is right, but the world has no answer to it. Choose another start, goal, radius or
