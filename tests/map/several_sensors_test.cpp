@@ -147,6 +147,18 @@ TEST_F(MapLateFrames, AreRefusedIfTheyAreTooLate) {
   EXPECT_FALSE(solid(20));
 }
 
+TEST_F(MapLateFrames, ClearWhatAFrameHitWhileTheClockWasSet) {
+  for (float& z : image.z) z = 2.05f;
+  const std::int64_t old_time = 100000 * kMillisecond;
+  ASSERT_EQ(owned.map.begin_frame(image.view, {{1.0, 1.0, 1.0}, {0.5, -0.5, 0.5, -0.5}}, old_time), Status::kRunning);
+  ASSERT_EQ(owned.map.forget_time(), Status::kOk);
+  ASSERT_EQ(finish(owned.map), Status::kOk);
+  EXPECT_TRUE(solid(20));
+  ASSERT_EQ(look_back(50), Status::kOk);
+  for (const std::int64_t t : {10, 20, 30}) ASSERT_EQ(enter(t, 4.05), Status::kOk);
+  EXPECT_FALSE(solid(20));
+}
+
 /// Ageing goes by the latest time: late frames do not turn it back, and what they show ages from then on.
 TEST_F(MapLateFrames, AgeWithTheLatestOne) {
   MapSpec spec = late_spec();

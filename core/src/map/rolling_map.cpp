@@ -198,6 +198,7 @@ bool RollingMap::take_added(Box& world) noexcept {
 void MapState::forget_times() noexcept {
   timed = false;
   marked = kNever;
+  frame.time = kNever;  // of a frame that is being entered
   for (std::size_t k = 0; k < brick_count(spec.dims); ++k) hit_times[k] = kNever;
 }
 
