@@ -44,7 +44,7 @@ constexpr size_t kFences =
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
 constexpr size_t kTrajectory =
-    kSegments * (16900 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
+    kSegments * (17000 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
 /// The check: for each segment, normals along which keep-outs are cut off.
 constexpr size_t kCheck = kSegments * kMaxFences * 272 + kFencePlanes * 256 + 8192;
 /// The results, which outlive the stages that made them: the path and its current leg, vias, corridor, trajectory, the
