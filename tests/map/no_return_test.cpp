@@ -126,12 +126,12 @@ TEST_F(MapNoReturn, CountsWithSupportIfNeighboursHaveNoneEither) {
 TEST(MapSupport, NoReturnAgreesWithItselfAlone) {
   const tern::Support support{0.25f, 0.125f, 0.01f, 2};
   const float rows[3][3] = {{kEndless, 9, 9}, {9, kEndless, 9}, {9, 9, kEndless}};
-  EXPECT_EQ(tern::judge_pixel(support, rows[0], rows[1], rows[2]).sees, kEndless);
+  EXPECT_EQ(tern::judge_pixel<true>(support, rows[0], rows[1], rows[2]).sees, kEndless);
   const float alone[3][3] = {{kEndless, 9, 9}, {9, kEndless, 8}, {9, 9, 9}};
-  EXPECT_EQ(tern::judge_pixel(support, alone[0], alone[1], alone[2]).sees, 8.0f);
+  EXPECT_EQ(tern::judge_pixel<true>(support, alone[0], alone[1], alone[2]).sees, 8.0f);
   const float measured[3][3] = {{kEndless, kEndless, kEndless}, {kEndless, 8, kEndless}, {kEndless, kEndless, 8}};
-  EXPECT_EQ(tern::judge_pixel(support, measured[0], measured[1], measured[2]).sees, 8.0f);
-  EXPECT_EQ(tern::judge_pixel(support, measured[0], measured[1], measured[2]).hits, 0.0f);
+  EXPECT_EQ(tern::judge_pixel<true>(support, measured[0], measured[1], measured[2]).sees, 8.0f);
+  EXPECT_EQ(tern::judge_pixel<true>(support, measured[0], measured[1], measured[2]).hits, 0.0f);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using tern_test::OwnedMap;
 using tern_test::Random;
 
 tern::Judged judge(const float (&rows)[3][3], int least) {
-  return tern::judge_pixel({0.25f, 0.125f, 0.0f, least}, rows[0], rows[1], rows[2]);
+  return tern::judge_pixel<false>({0.25f, 0.125f, 0.0f, least}, rows[0], rows[1], rows[2]);
 }
 
 TEST(MapSupport, PixelsAgreeWithinAVoxelAndBothErrors) {

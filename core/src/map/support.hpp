@@ -20,9 +20,7 @@ struct Support {
   float cell, margin, margin_square;
   std::int32_t least;  ///< pixels that must agree
 
-  float tolerance(float z) const noexcept {
-    return z < kNoReturn ? cell + 2.0f * (margin + margin_square * z * z) : 0.0f;
-  }
+  float tolerance(float z) const noexcept { return cell + 2.0f * (margin + margin_square * z * z); }
 };
 
 /// The depth up to which a pixel sees, and the depth that it hits; 0 for none.
@@ -31,15 +29,16 @@ struct Judged {
 };
 
 /// Judges the pixel at[1]. `above`, `at` and `below` are three rows of the image, each from the pixel's left neighbour
-/// on; NaN beyond the image's edges.
-inline Judged judge_pixel(const Support& support, const float* above, const float* at, const float* below) noexcept {
+/// on; NaN beyond the image's edges. `kHasNone`: some depths may be kNoReturn.
+template <bool kHasNone>
+Judged judge_pixel(const Support& support, const float* above, const float* at, const float* below) noexcept {
   const float z = at[1];
   const float around[kNeighbours] = {above[0], above[1], above[2], at[0], at[2], below[0], below[1], below[2]};
-  const float tolerance = support.tolerance(z);
+  const float tolerance = kHasNone && !(z < kNoReturn) ? 0.0f : support.tolerance(z);
   std::int32_t agreeing = 0;
   float nearest = z;
   for (const float n : around) {
-    const float off = n <= z && n >= z ? 0.0f : n - z;
+    const float off = kHasNone && n <= z && n >= z ? 0.0f : n - z;
     agreeing += (off <= tolerance && -off <= tolerance) ? 1 : 0;
     nearest = n < nearest ? n : nearest;
   }
