@@ -41,7 +41,8 @@ void depths(const Number* numbers, const Scale& scale, std::int32_t count, float
   if (!scale.no_return) return;
   for (std::int32_t k = 0; k < count; ++k) {
     const float number = static_cast<float>(numbers[k]);
-    z[k] = (number >= 0.0f && number <= 0.0f) || number >= kNoReturn ? kNoReturn : z[k];
+    const bool is_none = (number >= 0.0f && number <= 0.0f) || number >= kNoReturn;
+    if (is_none) z[k] = kNoReturn;
   }
 }
 
