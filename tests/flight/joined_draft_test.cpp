@@ -8,7 +8,7 @@
 
 namespace {
 
-using tern::Sample;
+using namespace tern;
 using tern_test::two_halves;
 
 /// A draft that begins elsewhere, or jumps on its way, is not committed, whatever else was proven of it.
@@ -35,6 +35,30 @@ TEST(FlightJoints, DraftThatJumpsIsNotCommitted) {
     EXPECT_FALSE(state.commit());
     EXPECT_EQ(state.report.failed, failed + 1);
   }
+}
+
+/// At the limit on speed, still accelerating, and without a limit on jerk: a stop would have to level off in far less
+/// than a millisecond. No plan ends like that.
+TEST(FlightDraft, PlansEndInNoJolt) {
+  tern_test::Flying room;  // up to 2 m/s upwards
+  Draft& draft = room.state().draft;
+  draft.plan.planned = Trajectory{};
+  const double speed = 2.0 - 1e-3;
+  const JointState from{{kZero, {0.0, 0.0, speed - 0.15}, {0.0, 0.0, 3.0}, kZero}};
+  const JointState to{{{0.0, 0.0, 0.05 * (speed - 0.075)}, {0.0, 0.0, speed}, {0.0, 0.0, 3.0}, kZero}};
+  ASSERT_TRUE(append_between(from, to, 0.05, draft.plan.planned));
+  ASSERT_TRUE(append_between(to, {{{0.0, 0.0, 2.0}, kZero, kZero, kZero}}, 1.5, draft.plan.planned));
+  Stopping scratch;
+  int jolts = 0;
+  for (int way = 0; way < kBranchShapes; ++way) {
+    Trajectory brake{};
+    const bool stops = append_stop(to, room.state().facts.limits, way, scratch, brake);
+    jolts += stops && scratch.segments[0].duration < 1e-3 ? 1 : 0;
+    if (!draft.branch_off(room.state().facts, 0.05, way)) continue;
+    const Trajectory& plan = draft.plan.trajectory;
+    for (std::int32_t i = 0; i < plan.count; ++i) EXPECT_GE(plan.segments[i].duration, 0.004) << way << ' ' << i;
+  }
+  EXPECT_GT(jolts, 0);
 }
 
 }  // namespace

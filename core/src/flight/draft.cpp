@@ -13,6 +13,9 @@ namespace {
 constexpr Operations kSlowDownOperations = 3 * ops::kCurve * kMaxSegments;
 /// How much later than the plan in flight a new plan may pass the next point, seconds.
 constexpr double kLaterAtPoint = 0.25;
+/// The shortest ramp of a brake that ends a plan, seconds. At a limit on speed and without one on jerk, a stop may
+/// level off in a fraction of a millisecond. Only a threat is worth such a jolt.
+constexpr double kShortestRamp = 0.004;
 
 }  // namespace
 
@@ -54,7 +57,7 @@ bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
   plan.branch = at;
   take_first_part(plan.planned, at, plan.trajectory);
   const JointState joint = joint_at(plan.planned, at, plan.planned.origin);
-  return append_stop(joint, flight.limits, way, stop, plan.trajectory);
+  return append_stop(joint, flight.limits, way, stop, plan.trajectory) && stop.segments[0].duration >= kShortestRamp;
 }
 
 bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept {
