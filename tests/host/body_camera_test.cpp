@@ -13,6 +13,7 @@
 #include "host/flight/gimbal.hpp"
 #include "host/flight/sensor_mount.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "support/pixel_areas.hpp"
 
 namespace {
 
@@ -21,15 +22,13 @@ using tern_host::FlightWorld;
 using tern_host::Noise;
 using tern_host::read_flight_world;
 using tern_host::SensorMount;
+using tern_test::depth_at;
+using tern_test::expect_nearest_in_areas;
 
 constexpr double kClose = 1e-9;
 
 FlightWorld world_of(const std::string& name) {
   return read_flight_world(name, {"sensor=d435", "sensor_size=40,24"});
-}
-
-double depth_at(const DepthFrame& frame, int u, int v) {
-  return static_cast<double>(frame.depths[static_cast<std::size_t>(v * frame.view.width + u)]);
 }
 
 /// The camera's axes (right, down, ahead) in the world, by the quaternion's own formula.
@@ -93,21 +92,8 @@ TEST(BodyCamera, ShowsTheNearestThingInAPixelsWholeArea) {
     const tern::Pose pose =
         tilted_pose(world, random.within(-3, 3), random.within(-0.6, 0.6), random.within(-0.6, 0.6));
     const DepthFrame frame = take_frame(world, pose, 0, noise);
-    const double most = 1.5 * world.settings.sensor_range;
-    for (int k = 0; k < 100; ++k) {
-      const int u = random.below(frame.view.width);
-      const int v = random.below(frame.view.height);
-      const double depth = depth_at(frame, u, v);
-      double room = 1e9;
-      for (int n = 0; n < 400; ++n) {
-        const double du = random.within(-0.5, 0.5);
-        const double dv = random.within(-0.5, 0.5);
-        const double before = random.within(0.0, 1.0) * (depth - 1e-4);
-        EXPECT_GT(clearance(world, point_behind(frame, u + du, v + dv, before)), 0.0);
-        room = std::min(room, clearance(world, point_behind(frame, u + du, v + dv, depth + 1e-4)));
-      }
-      EXPECT_LE(room, depth < most - 1e-4 ? 0.004 + 0.2 * depth / frame.view.fx : most) << name << " " << u << " " << v;
-    }
+    expect_nearest_in_areas(world, frame, 100, 0.004, random, name,
+                            [&](double u, double v, double depth) { return point_behind(frame, u, v, depth); });
   }
 }
 

@@ -13,6 +13,7 @@
 #include "host/flight/flight_world.hpp"
 #include "host/flight/lidar.hpp"
 #include "host/flight/speckle_filter.hpp"
+#include "support/pixel_areas.hpp"
 
 namespace {
 
@@ -20,6 +21,8 @@ using tern_host::DepthFrame;
 using tern_host::FlightWorld;
 using tern_host::Noise;
 using tern_host::read_flight_world;
+using tern_test::depth_at;
+using tern_test::expect_nearest_in_areas;
 
 /// A camera's view of a world without errors.
 DepthFrame clean_frame(FlightWorld world, const tern::Vec3& eye, double yaw) {
@@ -27,10 +30,6 @@ DepthFrame clean_frame(FlightWorld world, const tern::Vec3& eye, double yaw) {
   world.settings.speckle_filter = 0;
   Noise noise(1);
   return take_frame(world, eye, yaw, 0, noise);
-}
-
-double depth_at(const DepthFrame& frame, int u, int v) {
-  return static_cast<double>(frame.depths[static_cast<std::size_t>(v * frame.view.width + u)]);
 }
 
 /// Where a ray through a place of the image is at a depth.
@@ -41,30 +40,15 @@ tern::Vec3 point_behind(const DepthFrame& frame, const tern::Vec3& eye, double y
           eye.y + depth * (std::sin(yaw) - right * std::cos(yaw)), eye.z - depth * down};
 }
 
-/// What a pixel shows is there: at its depth, a place of its area touches something. And nothing is nearer: before its
-/// depth, no place of its area is in anything.
 TEST(DepthCamera, ShowsTheNearestThingInAPixelsWholeArea) {
   Noise random(3);
   for (const char* const name : {"P12:1", "O:2", "S20:1", "M:3"}) {
     const FlightWorld world = read_flight_world(name, {});
     const double yaw = random.within(-3.0, 3.0);
     const DepthFrame frame = clean_frame(world, world.start, yaw);
-    const double most = 1.5 * world.settings.sensor_range;
-    for (int k = 0; k < 200; ++k) {
-      const int u = random.below(frame.view.width);
-      const int v = random.below(frame.view.height);
-      const double depth = depth_at(frame, u, v);
-      double room = 1e9;
-      for (int n = 0; n < 400; ++n) {
-        const double du = random.within(-0.5, 0.5);
-        const double dv = random.within(-0.5, 0.5);
-        const double before = random.within(0.0, 1.0) * (depth - 1e-4);
-        EXPECT_GT(clearance(world, point_behind(frame, world.start, yaw, u + du, v + dv, before)), 0.0);
-        room = std::min(room, clearance(world, point_behind(frame, world.start, yaw, u + du, v + dv, depth + 1e-4)));
-      }
-      const double pixel = depth / frame.view.fx;
-      EXPECT_LE(room, depth < most - 1e-4 ? 0.2 * pixel : most) << name << " " << u << " " << v;
-    }
+    expect_nearest_in_areas(world, frame, 200, 0.0, random, name, [&](double u, double v, double depth) {
+      return point_behind(frame, world.start, yaw, u, v, depth);
+    });
   }
 }
 

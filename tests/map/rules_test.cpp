@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "support/camera_map.hpp"
 #include "support/owned_map.hpp"
 
 namespace {
@@ -17,6 +18,7 @@ using tern::Pose;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::camera_spec;
 using tern_test::finish;
 using tern_test::Image;
 using tern_test::OwnedMap;
@@ -24,15 +26,6 @@ using tern_test::OwnedMap;
 constexpr double kHalf = 0.5;
 /// Camera axes in the world: right is -y, down is -z, ahead is x.
 constexpr double kAhead[4] = {kHalf, -kHalf, kHalf, -kHalf};
-
-MapSpec camera_spec() {
-  MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 20, 20}, 0.0);
-  spec.depth_margin = 0.0;
-  spec.pose_margin = 0.0;
-  spec.range = 6.0;
-  spec.pixels = 4096;
-  return spec;
-}
 
 class MapRules : public ::testing::Test {
  protected:

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/camera_map.hpp"
 #include "support/owned_map.hpp"
 
 namespace {
@@ -26,10 +27,7 @@ using tern_test::OwnedMap;
 constexpr std::int64_t kMillisecond = 1000000;
 
 MapSpec late_spec() {
-  MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 20, 20}, 0.0);
-  spec.depth_margin = spec.pose_margin = 0.0;
-  spec.range = 6.0;
-  spec.pixels = 4096;
+  MapSpec spec = tern_test::camera_spec();
   spec.slack = 0;
   return spec;
 }
