@@ -13,6 +13,9 @@ namespace {
 constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;
 
+/// Shortest segment after even_out(), in parts of the mean.
+constexpr double kShortestPart = 1.0 / 16.0;
+
 bool moves(const JointState& state) {
   return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
 }
@@ -101,6 +104,11 @@ int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain)
                                           backwards(limits), chain.duration[last], tries);
   for (int i = 0; i < chain.via_joint_count; ++i) fit_via_joint(corridor, chain.via_joints[i], chain, tries);
   return tries;
+}
+
+void even_out(Chain& chain) noexcept {
+  const double least = kShortestPart * chain_duration(chain) / chain.count;
+  for (int i = 0; i < chain.count; ++i) chain.duration[i] = larger(chain.duration[i], least);
 }
 
 void follow(const Trajectory& plan, Chain& chain) noexcept {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Changes to a chain that its trajectory needs: at ends that move, and to follow the fallback.
+// Changes to a chain that its trajectory needs: at ends that move, of very short segments, and to follow the fallback.
 #ifndef TERN_TRAJECTORY_CHAIN_ENDS_HPP
 #define TERN_TRAJECTORY_CHAIN_ENDS_HPP
 
@@ -18,6 +18,10 @@ namespace tern {
 /// segments that meet at a via with a velocity. No segment becomes shorter than kMinDuration. No effect on ends at
 /// rest. Returns how many durations it tried.
 int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept;
+
+/// Lengthens segments that are much shorter than the mean. Otherwise the Hessian of a long chain is too nearly
+/// singular.
+void even_out(Chain& chain) noexcept;
 
 /// Gives the chain the segments and durations of a plan from its start to its goal. The plan must stay in its polyhedra
 /// and within the limits, so a programme over these segments has a solution. Segments from rest to rest become two

@@ -195,7 +195,7 @@ void add_order_points(const Chain& chain, ProgrammeScale& scale, int order, int 
   }
 }
 
-/// Adds the constraints of one kind of limit for every segment.
+/// Adds the limit on one derivative to every segment.
 void add_limit_constraints(const Chain& chain, ProgrammeScale& scale, const Bounds& bounds, int order,
                            QpProblem& problem) {
   const int plane_begin = problem.plane_count;

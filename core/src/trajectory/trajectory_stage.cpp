@@ -18,9 +18,6 @@ namespace {
 /// The most passes of the stage's loop: three a programme, and some at the end.
 constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
-/// Shortest segment of a chain with vias, in parts of the mean.
-constexpr double kShortestPart = 1.0 / 16.0;
-
 /// A programme's lower bound is examined every time after this many iterations.
 constexpr int kBoundStride = 4;
 
@@ -55,13 +52,6 @@ double fixed_snap(TrajectoryStage& stage) {
   }
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   return snap_of(candidate_of(stage));
-}
-
-/// Lengthens segments that are much shorter than the mean. Otherwise the Hessian of a long chain is too nearly
-/// singular.
-void even_out(Chain& chain) {
-  const double least = kShortestPart * chain_duration(chain) / chain.count;
-  for (int i = 0; i < chain.count; ++i) chain.duration[i] = larger(chain.duration[i], least);
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
