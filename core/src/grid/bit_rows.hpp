@@ -116,6 +116,9 @@ struct GridAccess {
     return view;
   }
 
+  /// A view of the grid in which the obstacles themselves are what is blocked, without the radius around them.
+  static Grid bare(const Grid& grid) noexcept { return with_blocked(grid, grid.obstacles_); }
+
   /// Gives a view another boundary: local frame, inside the grid's own. Both layers stay as they are.
   static void set_boundary(Grid& view, const Box& local) noexcept { view.local_boundary_ = local; }
 

@@ -1,0 +1,104 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lookout/optics.hpp"
+
+#include "base/math.hpp"
+#include "grid/bit_rows.hpp"
+#include "path/sight.hpp"
+#include "yaw/angle.hpp"
+
+namespace tern {
+namespace {
+
+/// A wider horizontal angle of view than this is a scanner's, rad.
+constexpr double kWidestCamera = 3.0;
+/// Directions steeper than this tangent count as this steep.
+constexpr double kSteepest = 100.0;
+/// A scan sees nothing within so many of its pixels of a thing's direction, or of the edge of the view.
+constexpr double kScanEdge = 1.25;
+/// Half the diagonal of a cube, in edges.
+constexpr double kHalfDiagonal = 0.8660254037844386;
+
+double tangent_of(double angle) {
+  const Heading at = heading_of(angle);
+  return at.sine < kSteepest * at.cosine ? at.sine / at.cosine : kSteepest;
+}
+
+/// Half of a cube's extent along a unit vector, in edges.
+double half_extent(const Vec3& along) {
+  return 0.5 * (absolute(along.x) + absolute(along.y) + absolute(along.z));
+}
+
+}  // namespace
+
+Optics::Optics(const FlightSensor& sensor, const MapSpec& map) noexcept
+    : sensor_(sensor),
+      is_scanner_(sensor.horizontal > kWidestCamera),
+      tangent_right_(tangent_of(0.5 * smaller(sensor.horizontal, kWidestCamera))),
+      tangent_down_(tangent_of(0.5 * sensor.vertical)),
+      cosine_side_(heading_of(0.5 * sensor.horizontal).cosine),
+      tangent_low_(tangent_of(sensor.pitch_min)),
+      tangent_high_(tangent_of(sensor.pitch_max)),
+      cell_(map.cell),
+      range_(map.range),
+      margin_(map.depth_margin),
+      margin_square_(map.depth_margin_square),
+      pose_margin_(map.pose_margin),
+      angle_margin_(map.angle_margin + (is_scanner_ ? kScanEdge * map.scan_pixel : 0.0)) {}
+
+SensorPose Optics::pose(const Vec3& place, const Heading& heading, const Vec3& look) const noexcept {
+  const double c = heading.cosine;
+  const double s = heading.sine;
+  const Vec3& o = sensor_.offset;
+  const Vec3 eye = place + Vec3{c * o.x - s * o.y, s * o.x + c * o.y, o.z};
+  const Vec3 way = look - eye;
+  const double flat = larger(c * way.x + s * way.y, absolute(way.z) / kSteepest);
+  double tangent = tangent_low_;
+  if (tangent_high_ > tangent_low_ && flat > 0.0) tangent = clamp(way.z / flat, tangent_low_, tangent_high_);
+  const double cosine = 1.0 / square_root(1.0 + tangent * tangent);
+  const double sine = tangent * cosine;
+  return {eye, {cosine * c, cosine * s, sine}, {s, -c, 0.0}, {sine * c, sine * s, -cosine}};
+}
+
+bool Optics::in_view(const SensorPose& pose, const Vec3& centre) const noexcept {
+  const Vec3 way = centre - pose.eye;
+  const double grown = pose_margin_ + angle_margin_ * length(way);
+  return is_scanner_ ? in_ring(pose, way, grown) : in_pyramid(pose, way, grown);
+}
+
+bool Optics::in_pyramid(const SensorPose& pose, const Vec3& way, double grown) const noexcept {
+  const double depth = dot(way, pose.ahead);
+  const double reach = cell_ * half_extent(pose.ahead) + grown;
+  const double nearest = depth - reach;
+  if (nearest < sensor_.nearest || depth + reach + margin_ + margin_square_ * depth * depth > range_) return false;
+  return absolute(dot(way, pose.right)) + cell_ * half_extent(pose.right) + grown <= tangent_right_ * nearest &&
+         absolute(dot(way, pose.down)) + cell_ * half_extent(pose.down) + grown <= tangent_down_ * nearest;
+}
+
+/// A scanner's axis is level or nearly so: its pitch tilts what it sees ahead.
+bool Optics::in_ring(const SensorPose& pose, const Vec3& way, double grown) const noexcept {
+  const double reach = cell_ * kHalfDiagonal + grown;
+  const double far = length(way);
+  if (far - reach < sensor_.nearest || far + reach + margin_ + margin_square_ * far * far > range_) return false;
+  const double down = dot(way, pose.down);
+  const double level = square_root(larger(0.0, far * far - down * down));
+  if (absolute(down) + reach > tangent_down_ * (level - reach)) return false;
+  return sensor_.horizontal >= 2.0 * kPi - 1e-3 || dot(way, pose.ahead) - reach >= cosine_side_ * level;
+}
+
+bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, double margin,
+                      Work& work) const noexcept {
+  const Grid& grid = map.route();
+  const Vec3 from = grid.to_local(eye);
+  const Vec3 to = grid.to_local(centre);
+  const Vec3 way = to - from;
+  const double far = length(way);
+  if (!(far > 0.0)) return true;
+  const double behind = kHalfDiagonal * cell_ + margin_ + margin_square_ * far * far;
+  const Vec3 beyond = to + (behind / far) * way;
+  const bool is_inside = grid.inside(grid.voxel_of(beyond));
+  work.spend(sight_operations(grid, from, beyond));
+  return line_of_sight(GridAccess::bare(grid), from, is_inside ? beyond : to, margin);
+}
+
+}  // namespace tern
