@@ -129,6 +129,28 @@ TEST(FlightC, EqualsTheFlightInCpp) {
   EXPECT_EQ(tern_flight_stop(&flight), kOk);
 }
 
+TEST(FlightC, BeginsOnTheGroundAndLands) {
+  FlightInC c;
+  c.start = {0.0, 0.0, 0.15};
+  const tern_vec3 place{0.0, 0.0, 0.15};
+  EXPECT_EQ(tern_flight_land(&c.flight, &place, 0.05, 0.5), kInvalid);
+  EXPECT_EQ(c.begin(), static_cast<std::uint8_t>(tern::Status::kStartOccupied));
+  const tern_cylinder column{{0.0, 0.0, 0.05}, 1.3, 3.0};
+  ASSERT_EQ(tern_map_assume_column(&c.map, &column), kOk);
+  ASSERT_EQ(c.begin(), kOk);
+  EXPECT_EQ(tern_flight_land(&c.flight, nullptr, 0.05, 0.5), kInvalid);
+  EXPECT_EQ(tern_flight_land(&c.flight, &place, 0.05, -0.5), kInvalid);
+  ASSERT_EQ(tern_flight_land(&c.flight, &place, 0.05, 0.5), kOk);
+  tern_flight_report report{};
+  for (int k = 0; k < 1000 && report.reason != tern::FlightReason::kLanded; ++k) {
+    ASSERT_EQ(tern_flight_tick(&c.flight, k * c.flight_spec.tick, &report), kOk);
+  }
+  EXPECT_EQ(static_cast<int>(report.reason), TERN_FLIGHT_LANDED);
+  for (const int reason : {TERN_FLIGHT_LANDED, TERN_FLIGHT_GROUND_UNSEEN, TERN_FLIGHT_GROUND_UNEVEN}) {
+    EXPECT_STRNE(tern_flight_reason_text(static_cast<std::uint8_t>(reason)), "unknown");
+  }
+}
+
 TEST(FlightC, MissionsAreSetAndRefused) {
   FlightInC c;
   const tern_via points[2] = {{{0.4, 0.0, 1.5}, 0.1}, {{0.0, 0.4, 1.5}}};

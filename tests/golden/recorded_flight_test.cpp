@@ -123,6 +123,8 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   recorder.bind(spec, map.bind(spec, map_words.data(), map_words.size()));
   const tern::Vec3 eye{0, 0, kEyeHeight};
   recorder.assume_free(eye, 2.0, map.assume_free(eye, 2.0));
+  const tern::Cylinder column{{0, 0, 0}, 1.5, 3};
+  recorder.assume_column(column, map.assume_column(column));
   recorder.mark_box({{3, 2, 0}, {3.5, 3, 3}}, map.mark_box({{3, 2, 0}, {3.5, 3, 3}}));
   recorder.mark_cylinder({{4, -2, 0}, 0.3, 3}, map.mark_cylinder({{4, -2, 0}, 0.3, 3}));
   const tern::Vec3 points[] = {{5, 0.2, 1.5}, {5, 0.3, 1.5}, {6, -1, 1}};
@@ -172,6 +174,7 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
     const tern::Vec3 measured = flight.command(t).sample.position;
     recorder.note_position(measured, t, flight.note_position(measured, t));
     recorder.tick(flight, t, report, flight.tick(t, report));
+    if (k == 110) recorder.land({0.3, 0, 0.2}, 0.1, 0.5, flight.land({0.3, 0, 0.2}, 0.1, 0.5));
     if (k == 150) recorder.stop(flight.stop());
   }
   // The clock falls: what is refused is not recorded, and the flight goes on once it knows.

@@ -45,6 +45,7 @@ TEST(MapC, EqualsTheMapInCpp) {
   const tern_cylinder trunk{{1.9, 0.6, 0.0}, 0.15, 1.0};
 
   ASSERT_EQ(tern_map_assume_free(&map, &pose.position, 0.5), kOk);
+  ASSERT_EQ(tern_map_assume_column(&map, &trunk), kOk);
   ASSERT_EQ(tern_map_mark_box(&map, &box), kOk);
   ASSERT_EQ(tern_map_mark_cylinder(&map, &trunk), kOk);
   ASSERT_EQ(tern_map_mark_points(&map, &point, 1), kOk);
@@ -67,6 +68,7 @@ TEST(MapC, EqualsTheMapInCpp) {
   finish(map);
 
   ASSERT_EQ(owned.map.assume_free(pose.position, 0.5), tern::Status::kOk);
+  ASSERT_EQ(owned.map.assume_column(trunk), tern::Status::kOk);
   ASSERT_EQ(owned.map.mark_box(box), tern::Status::kOk);
   ASSERT_EQ(owned.map.mark_cylinder(trunk), tern::Status::kOk);
   ASSERT_EQ(owned.map.mark_points(&point, 1), tern::Status::kOk);
@@ -120,6 +122,7 @@ TEST(MapC, NullPointersHaveAnswers) {
   EXPECT_EQ(tern_map_begin_beams(&map, &beams, nullptr, 0), kInvalid);
   EXPECT_EQ(tern_map_follow(&map, nullptr), kInvalid);
   EXPECT_EQ(tern_map_assume_free(&map, nullptr, 1.0), kInvalid);
+  EXPECT_EQ(tern_map_assume_column(&map, nullptr), kInvalid);
   EXPECT_EQ(tern_map_mark_box(&map, nullptr), kInvalid);
   EXPECT_EQ(tern_map_mark_cylinder(&map, nullptr), kInvalid);
   EXPECT_EQ(tern_map_route(&map, nullptr), kInvalid);

@@ -52,6 +52,40 @@ TEST_F(MapMarks, ABallIsTakenForFree) {
   EXPECT_TRUE(owned.map.safe().free({9, 9, 9}));
 }
 
+/// Voxels wholly inside it, from 0.52 m up: the layers from 0.6 m to 0.9 m. Farthest corners, in cells,
+/// from 10.0, 10.0.
+TEST_F(MapMarks, AColumnIsTakenForFreeAboveTheGround) {
+  ASSERT_EQ(owned.map.mark_box({{0.95, 0.95, 0.75}, {0.96, 0.96, 0.76}}), Status::kOk);
+  const tern::Cylinder column{{1.0, 1.0, 0.52}, 0.26, 0.44};
+  ASSERT_EQ(owned.map.assume_column(column), Status::kOk);
+  for (int z = 4; z < 11; ++z) {
+    const bool is_between = z >= 6 && z < 9;
+    EXPECT_EQ(owned.map.seen({10, 10, z}), is_between) << z;
+    EXPECT_EQ(owned.map.seen({11, 10, z}), is_between) << z;  // sqrt(4 + 1) = 2.24 cells
+    EXPECT_EQ(owned.map.seen({8, 10, z}), is_between) << z;
+    EXPECT_FALSE(owned.map.seen({11, 11, z})) << z;  // sqrt(8) = 2.83
+    EXPECT_FALSE(owned.map.seen({12, 10, z})) << z;  // sqrt(9 + 1) = 3.16
+  }
+  EXPECT_TRUE(owned.map.safe().obstacle({9, 9, 7})) << "what was marked stays";
+  EXPECT_TRUE(owned.map.seen({9, 9, 7}));
+}
+
+/// Within the column, as far as asked for, and as the latest statement says.
+TEST_F(MapMarks, TheGroundIsKnownBelowTheColumn) {
+  double ground = 7.0;
+  EXPECT_FALSE(owned.map.ground_at({1.0, 1.0, 1.0}, 0.0, ground));
+  ASSERT_EQ(owned.map.assume_column({{1.0, 1.0, 0.5}, 0.5, 1.0}), Status::kOk);
+  EXPECT_FALSE(owned.map.ground_at({1.3, 1.0, 9.0}, 0.21, ground));
+  EXPECT_EQ(ground, 7.0);
+  EXPECT_TRUE(owned.map.ground_at({1.3, 1.0, 9.0}, 0.19, ground));
+  EXPECT_EQ(ground, 0.5);
+  EXPECT_FALSE(owned.map.ground_at({1.3, 1.3, 9.0}, 0.19, ground));
+  ASSERT_EQ(owned.map.assume_column({{3.0, 1.0, 0.25}, 0.5, 1.0}), Status::kOk);
+  EXPECT_FALSE(owned.map.ground_at({1.0, 1.0, 1.0}, 0.19, ground));
+  EXPECT_TRUE(owned.map.ground_at({3.0, 1.0, 1.0}, 0.19, ground));
+  EXPECT_EQ(ground, 0.25);
+}
+
 TEST_F(MapMarks, ACylinderIsSolidInBothGrids) {
   ASSERT_EQ(owned.map.assume_free(kMiddle, 10.0), Status::kOk);
   ASSERT_EQ(owned.map.mark_cylinder(kTrunk), Status::kOk);

@@ -221,6 +221,9 @@ TEST_F(MapFrames, CallsThatAreWrong) {
   EXPECT_EQ(map.follow({kNan, 0.0, 0.0}), Status::kNonFiniteInput);
   EXPECT_EQ(map.follow({1e15, 0.0, 0.0}), Status::kOutOfMap);
   EXPECT_EQ(map.assume_free({0.0, 0.0, 0.0}, -1.0), Status::kInvalidArgument);
+  EXPECT_EQ(map.assume_column({{0.0, 0.0, 0.0}, -1.0, 1.0}), Status::kInvalidArgument);
+  EXPECT_EQ(map.assume_column({{0.0, 0.0, 0.0}, 1.0, -1.0}), Status::kInvalidArgument);
+  EXPECT_EQ(map.assume_column({{0.0, 0.0, kNan}, 1.0, 1.0}), Status::kNonFiniteInput);
   EXPECT_EQ(map.assume_free({0.0, 0.0, 0.0}, kNan), Status::kNonFiniteInput);
   EXPECT_EQ(map.assume_free({0.0, kInfinity, 0.0}, 1.0), Status::kNonFiniteInput);
   EXPECT_EQ(map.mark_box({{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}), Status::kInvalidArgument);
@@ -242,6 +245,10 @@ TEST(MapRefused, AnythingWithoutABind) {
   EXPECT_EQ(map.begin_frame({}, kLevel, 0), Status::kInvalidArgument);
   EXPECT_EQ(map.begin_scan(nullptr, 0, kLevel.position, 0), Status::kInvalidArgument);
   EXPECT_EQ(map.follow(kLevel.position), Status::kInvalidArgument);
+  EXPECT_EQ(map.assume_column({kLevel.position, 1.0, 1.0}), Status::kInvalidArgument);
+  double ground = 5.0;
+  EXPECT_FALSE(map.ground_at(kLevel.position, 0.0, ground));
+  EXPECT_EQ(ground, 5.0);
   EXPECT_EQ(map.assume_free(kLevel.position, 1.0), Status::kInvalidArgument);
   EXPECT_EQ(map.mark_box({}), Status::kInvalidArgument);
   EXPECT_EQ(map.mark_cylinder({}), Status::kInvalidArgument);

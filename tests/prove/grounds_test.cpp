@@ -80,6 +80,37 @@ TEST(ProofGrounds, LeavingAPlaceKeepsTheRadiusFromAllElse) {
   EXPECT_EQ(prove(room.grid, move(place, {1.2, 0.0, 0.0}), leaving).finding, Finding::kObstacle);
 }
 
+/// The vehicle stands 0.2 m above a floor whose voxels reach up to 1.0 m; 0.4 m are asked for.
+TEST(ProofGrounds, OnTheGroundOnlyTheGroundMayBeNear) {
+  const Vec3 place{5.0, 0.0, 1.2};
+  const double ground = 0.95;
+  ProofGrounds standing{nullptr, &place};
+  standing.ground = &ground;
+  const Trajectory up = move(place, {0.0, 0.0, 1.0});
+  const Trajectory down = move({5.0, 0.0, 2.2}, {0.0, 0.0, -1.0});
+  const auto floor_and = [&](const Box& thing) {
+    Chamber room;
+    EXPECT_EQ(room.grid.mark_box({{2.0, -3.0, 0.0}, {8.0, 3.0, 1.0}}), Status::kOk);
+    EXPECT_EQ(room.grid.mark_box(thing), Status::kOk);
+    return room;
+  };
+  const Box nothing{{2.0, -3.0, 0.0}, {2.1, -2.9, 0.1}};
+  EXPECT_EQ(prove(floor_and(nothing).grid, up, {}).finding, Finding::kObstacle);
+  EXPECT_EQ(prove(floor_and(nothing).grid, up, standing).finding, Finding::kNone);
+  EXPECT_EQ(prove(floor_and(nothing).grid, down, standing).finding, Finding::kNone);
+  // A stone on the floor is not the ground, though it is no nearer than the place is. Beyond the radius it matters not.
+  const Box stone{{5.3, 0.0, 1.0}, {5.4, 0.1, 1.1}};
+  EXPECT_EQ(prove(floor_and(stone).grid, up, {nullptr, &place}).finding, Finding::kNone);
+  EXPECT_EQ(prove(floor_and(stone).grid, up, standing).finding, Finding::kObstacle);
+  EXPECT_EQ(prove(floor_and(stone).grid, down, standing).finding, Finding::kObstacle);
+  EXPECT_EQ(prove(floor_and({{5.4, 0.0, 1.0}, {5.5, 0.1, 1.1}}).grid, down, standing).finding, Finding::kNone);
+  // Never lower than it stands, even where nothing is below.
+  const Proven deeper = prove(Chamber().grid, move({5.0, 0.0, 2.2}, {0.0, 0.0, -1.01}), standing);
+  EXPECT_EQ(deeper.finding, Finding::kOutside);
+  // And not along the ground.
+  EXPECT_EQ(prove(floor_and(nothing).grid, move(place, {0.5, 0.0, 0.0}), standing).finding, Finding::kObstacle);
+}
+
 /// A wall along x is one run of voxels: those near the place are each held against their own distance.
 TEST(ProofGrounds, LeavingAPlaceLooksAtVoxelsOneByOne) {
   Chamber room;

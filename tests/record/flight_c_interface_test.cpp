@@ -46,6 +46,7 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
   const Arguments a;
   return {tern_flight_record_bind(r, &a.map, kOk),
           tern_flight_record_assume_free(r, &kPoint, 1.0, kOk),
+          tern_flight_record_assume_column(r, &a.cylinder, kOk),
           tern_flight_record_mark_box(r, &a.box, kOk),
           tern_flight_record_mark_cylinder(r, &a.cylinder, kOk),
           tern_flight_record_mark_points(r, &kPoint, 1, kOk),
@@ -57,6 +58,7 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
           tern_flight_record_start(r, &a.flight_spec, &kPoint, 0, kOk),
           tern_flight_record_set_goal(r, &kPoint, kOk),
           tern_flight_record_set_mission(r, &a.via, 1, TERN_VIA_SKIP, kOk),
+          tern_flight_record_land(r, &kPoint, 0.5, 0.3, kOk),
           tern_flight_record_set_yaw(r, &a.yaw, kOk),
           tern_flight_record_stop(r, kOk),
           tern_flight_record_set_clock(r, 0, kOk),
@@ -115,6 +117,8 @@ TEST_F(FlightRecordC, EachPointerMustBeThere) {
   tern_flight_recorder* const r = &recorder_;
   expect_refused(tern_flight_record_bind(r, nullptr, kOk));
   expect_refused(tern_flight_record_assume_free(r, nullptr, 1.0, kOk));
+  expect_refused(tern_flight_record_assume_column(r, nullptr, kOk));
+  expect_refused(tern_flight_record_land(r, nullptr, 0.5, 0.3, kOk));
   expect_refused(tern_flight_record_mark_box(r, nullptr, kOk));
   expect_refused(tern_flight_record_mark_cylinder(r, nullptr, kOk));
   expect_refused(tern_flight_record_mark_points(r, nullptr, 1, kOk));

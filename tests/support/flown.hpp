@@ -37,8 +37,9 @@ struct FlightSettings {
   int support = 0;
   double pose_margin = 0.0;
   std::vector<tern::Fence> fences{};
-  double no_return = 0.0;  ///< as DepthView::no_return
-  bool centers = false;    ///< a pixel has the depth of its centre, not its least one
+  double no_return = 0.0;   ///< as DepthView::no_return
+  tern::Cylinder column{};  ///< as for RollingMap::assume_column(); a radius of 0: none
+  bool centers = false;     ///< a pixel has the depth of its centre, not its least one
 };
 
 /// What the camera shows instead of the world.
@@ -60,6 +61,9 @@ class Flown {
         planner(memory.get(), sizeof *memory) {
     EXPECT_EQ(owned.status, tern::Status::kOk);
     EXPECT_EQ(owned.map.assume_free(s.start, s.assumed), tern::Status::kOk);
+    if (s.column.radius > 0.0) {
+      EXPECT_EQ(owned.map.assume_column(s.column), tern::Status::kOk);
+    }
     tern::Limits limits{{s.v, s.v, std::min(s.v, 2.0)}, {s.a, s.a, std::min(s.a, 6.0)}};
     limits.v_horizontal = s.v;
     limits.a_horizontal = s.a;
@@ -70,7 +74,7 @@ class Flown {
     spec.fence_count = static_cast<std::int32_t>(settings.fences.size());
     spec.plan_work = 4 * s.work_per_tick;
     words.assign(tern::flight_words(s.window), 0xA5A5A5A5A5A5A5A5u);
-    started = flight.start(spec, owned.map, planner, words.data(), words.size(), s.start, 0);
+    started = flight.start(spec, owned.map, planner, words.data(), words.size(), s.start, 0, &refusal);
   }
 
   static tern::MapSpec spec_of(const FlightSettings& s) {
@@ -134,6 +138,8 @@ class Flown {
   std::vector<std::uint64_t> words;
   tern::Flight flight;
   tern::Status started;
+  tern::FlightRefusal refusal{};
+  std::vector<tern::Vec3> pads;  ///< places where the vehicle may stand; z: the height that the ground does not exceed
   tern::FlightReport report{};
   std::int64_t time = 0;
   int ticks = 0;
@@ -160,7 +166,9 @@ class Flown {
   }
 
   /// From the nearest voxel that is not known to be free, or from the window's faces.
+  /// Right above a pad, voxels that reach below it do not count.
   double solid_distance(const tern::Vec3& p) const {
+    const double ground = ground_below(p) - owned.map.safe().spec().origin.z;
     const tern::Grid& safe = owned.map.safe();
     const tern::GridSpec& grid = safe.spec();
     const double q[3] = {p.x - grid.origin.x, p.y - grid.origin.y, p.z - grid.origin.z};
@@ -175,7 +183,7 @@ class Flown {
     for (int z = at[2] - reach; z <= at[2] + reach; ++z) {
       for (int y = at[1] - reach; y <= at[1] + reach; ++y) {
         for (int x = at[0] - reach; x <= at[0] + reach; ++x) {
-          if (!safe.obstacle({x, y, z})) continue;
+          if (!safe.obstacle({x, y, z}) || z * grid.cell < ground) continue;
           const double lower[3] = {x * grid.cell, y * grid.cell, z * grid.cell};
           double square = 0.0;
           for (int a = 0; a < 3; ++a) {
@@ -187,6 +195,14 @@ class Flown {
       }
     }
     return best;
+  }
+
+  /// The height of the pad that a point is right above; far below if there is none.
+  double ground_below(const tern::Vec3& p) const {
+    for (const tern::Vec3& pad : pads) {
+      if (std::hypot(pad.x - p.x, pad.y - p.y) < 1e-9 + settings.tracking) return pad.z;
+    }
+    return -1e9;
   }
 
  private:
@@ -271,9 +287,10 @@ class Flown {
       EXPECT_LE(std::max({std::abs(now.jerk.x), std::abs(now.jerk.y), std::abs(now.jerk.z)}), wider * settings.jerk);
     }
     const tern::Vec3 p = truth();
-    least_clearance = std::min(least_clearance, scene.clearance(p));
+    const double clearance = scene.clearance(p, ground_below(p) < -1e8);
+    least_clearance = std::min(least_clearance, clearance);
     if (may_touch) return;
-    ASSERT_GE(scene.clearance(p), settings.body) << "contact at t = " << 1e-9 * static_cast<double>(time);
+    ASSERT_GE(clearance, settings.body) << "contact at t = " << 1e-9 * static_cast<double>(time);
   }
 
   /// All that is committed from now on: clear on the safe grid, inside the window, and at rest in the end.

@@ -26,9 +26,9 @@ struct Scene {
   std::vector<Cylinder> cylinders;
   std::vector<tern::Box> boxes;
 
-  /// Distance of a point from the nearest thing, the floor at z = 0 included.
-  double clearance(const tern::Vec3& p) const {
-    double best = p.z;
+  /// Distance of a point from the nearest thing; with the floor at z = 0, unless that does not count.
+  double clearance(const tern::Vec3& p, bool with_floor = true) const {
+    double best = with_floor ? p.z : 1e9;
     for (const Cylinder& c : cylinders) {
       const double out = std::max(0.0, std::hypot(p.x - c.x, p.y - c.y) - c.radius);
       best = std::min(best, std::hypot(out, std::max(0.0, p.z - c.top)));

@@ -111,6 +111,9 @@ enum class FlightReason : uint8_t {
   kMapStale,        ///< there is no way through known space, and no frames come. The flight goes on with the next frame
   kStrays,          ///< in flight: it flies slower, because it strays by more than 60 % of the tracking margin
   kMarginExceeded,  ///< in flight: likewise, and it strayed by more than the margin. Then no proof covers the vehicle
+  kLanded,          ///< it stands where it was to land
+  kGroundUnseen,    ///< it cannot land: the ground there, or what is above it, was not seen
+  kGroundUneven,    ///< it cannot land: the ground there is not flat, or something is on it or above it
 };
 
 /// Points of a mission, at most: the vias and the goal.
@@ -219,7 +222,8 @@ class FlightState;
 /// same bits.
 class Flight {
  public:
-  /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content. kOk;
+  /// Begins at rest at `position`, world frame, at time `t`, hovering or on the ground (RollingMap::assume_column):
+  /// then the flight climbs straight up before it goes anywhere. `words`: flight_words() of them with any content. kOk;
   /// kNonFiniteInput; kInvalidArgument (spec out of range, map not bound, busy or with radius 0, a window too short for
   /// the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull, kFencePlanesFull or kFenceEmpty;
   /// kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced if the
@@ -238,6 +242,15 @@ class Flight {
   /// kNonFiniteInput; kViasFull (more than kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a
   /// velocity, no such policy, or before start()).
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept;
+  /// Lands: flies to the point above `place` that keeps the radius and a voxel from the voxels of ground, then descends
+  /// straight to it, at most at `speed`, m/s, and rests there. `place`: where the vehicle's centre is once it stands,
+  /// world frame. `ground`: a height that the ground around it does not exceed, errors of the sensor included. Within
+  /// the radius and one and a half voxels of `place`, seen from above, voxels that reach below `ground` count as
+  /// ground, and the vehicle may come as near to them as it stands. From all others it keeps the radius. The ground
+  /// must have been seen there, within two voxels below `ground`, or have been stated (RollingMap::assume_column).
+  /// FlightReport::reason becomes kLanded, kGroundUnseen or kGroundUneven. Any other goal takes off again. kOk;
+  /// kNonFiniteInput; kInvalidArgument (before start(), no speed > 0, or `place` no lower than that point).
+  Status land(const Vec3& place, double ground, double speed) noexcept;
   /// What became of a point of the mission. kAhead for a number that is no point.
   PointState point_state(int32_t point) const noexcept;
   /// From now on, plans yaws beside the committed plans. Without this call, yaw() is 0. May be called again at any

@@ -50,6 +50,7 @@ class FlightRecorder {
   // The map: RollingMap::bind() comes first.
   Status bind(const MapSpec& spec, Status answer) noexcept;
   Status assume_free(const Vec3& center, double radius, Status answer) noexcept;
+  Status assume_column(const Cylinder& column, Status answer) noexcept;
   Status mark_box(const Box& world, Status answer) noexcept;
   Status mark_cylinder(const Cylinder& world, Status answer) noexcept;
   Status mark_points(const Vec3* world, size_t count, Status answer) noexcept;
@@ -63,6 +64,7 @@ class FlightRecorder {
   Status start(const FlightSpec& spec, const Vec3& position, int64_t t, Status answer) noexcept;
   Status set_goal(const Vec3& goal, Status answer) noexcept;
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy, Status answer) noexcept;
+  Status land(const Vec3& place, double ground, double speed, Status answer) noexcept;
   Status set_yaw(const FlightYaw& yaw, Status answer) noexcept;
   Status stop(Status answer) noexcept;
   Status note_position(const Vec3& position, int64_t t, Status answer) noexcept;

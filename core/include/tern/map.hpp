@@ -212,6 +212,12 @@ class RollingMap {
   /// The operator states, before take-off, that a ball is free: every voxel wholly inside it counts as seen. Obstacles
   /// stay. World frame, metres. kNonFiniteInput; kInvalidArgument for a radius below 0.
   Status assume_free(const Vec3& center, double radius) noexcept;
+  /// The operator states, before take-off, where the vehicle stands: the column is free, and the ground below it is no
+  /// higher than its base. Every voxel wholly inside the column counts as seen; obstacles stay. Flight::start() then
+  /// takes the voxels that reach below the base for ground if the vehicle stands in the column, with the clearance and
+  /// one and a half voxels around it. Only the latest statement counts for that. World frame, metres.
+  /// kNonFiniteInput; kInvalidArgument for a negative radius or height.
+  Status assume_column(const Cylinder& column) noexcept;
   /// Marks the voxels of a box as obstacles in both grids, as Grid::mark_box does, until misses clear them.
   Status mark_box(const Box& world) noexcept;
   /// Marks the voxels of a cylinder as obstacles in both grids, as Grid::mark_cylinder does, until misses clear them.
@@ -235,6 +241,9 @@ class RollingMap {
   /// All of seen() as a layer: a bit a voxel, in the rows of Grid::obstacle_row(). The map's; read only. A slide moves
   /// it with the grids.
   const uint64_t* seen_rows() const noexcept;
+  /// True if assume_column() told of the ground within `around` metres of a place, seen from above. `height` receives
+  /// the z that it does not exceed, and stays otherwise.
+  bool ground_at(const Vec3& place, double around, double& height) const noexcept;
   /// Grows by one whenever voxels of one word of seen_rows() are seen for the first time, or again after they were
   /// forgotten. While it stands still, the map learns nothing new.
   uint64_t learned() const noexcept;

@@ -58,6 +58,9 @@ struct ProofGrounds {
   /// proof is done.
   const Fence* fences = nullptr;
   int32_t fence_count = 0;
+  /// With `departed`: the height of the ground that the vehicle stands on there. Then only the voxels that reach below
+  /// it count as left: the trajectory keeps the radius from all others. It is never lower than `departed`.
+  const double* ground = nullptr;
 };
 
 /// A segment is halved at most this many times over. A piece that is not proven then ends the proof.
@@ -122,6 +125,7 @@ class Proof {
 
   void refuse(double from) noexcept;
   void take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept;
+  void depart(const ProofGrounds& grounds) noexcept;
   void pardon(const Alarm& alarm) noexcept;
   void enter(const Trajectory& trajectory) noexcept;
   bool sound(const Segment& segment) const noexcept;
@@ -159,7 +163,8 @@ class Proof {
   bool has_added_ = false;
   Box added_{};  // local frame
   bool has_departed_ = false;
-  Vec3 departed_{};  // local frame
+  Vec3 departed_{};      // local frame
+  double ground_ = 0.0;  // local frame: what begins there or above it is not left
   const uint64_t* pardoned_ = nullptr;
   Voxel pardon_begin_{};  // voxels whose obstacles need not count
   Voxel pardon_end_{};

@@ -85,17 +85,20 @@ enum {
 };
 /* Why the vehicle rests, or flies slower. */
 enum {
-  TERN_FLIGHT_GOES_ON = 0,         /* it flies, or is about to */
-  TERN_FLIGHT_NO_GOAL = 1,         /* there is no goal */
-  TERN_FLIGHT_ARRIVED = 2,         /* at the goal */
-  TERN_FLIGHT_NEAREST = 3,         /* as near as it gets to a goal that is occupied or cut off */
-  TERN_FLIGHT_NO_PROGRESS = 4,     /* there is no way that can be proven */
-  TERN_FLIGHT_HEMMED_IN = 5,       /* there is no way that can be proven, and something is nearer than the radius */
-  TERN_FLIGHT_VIA_BLOCKED = 6,     /* the mission's next point is occupied or fenced */
-  TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
-  TERN_FLIGHT_MAP_STALE = 8,       /* no frames come, and there is no way through known space */
-  TERN_FLIGHT_STRAYS = 9,          /* it flies slower: it strays by more than 60 % of the tracking margin */
-  TERN_FLIGHT_MARGIN_EXCEEDED = 10 /* likewise, and it strayed by more than the margin */
+  TERN_FLIGHT_GOES_ON = 0,          /* it flies, or is about to */
+  TERN_FLIGHT_NO_GOAL = 1,          /* there is no goal */
+  TERN_FLIGHT_ARRIVED = 2,          /* at the goal */
+  TERN_FLIGHT_NEAREST = 3,          /* as near as it gets to a goal that is occupied or cut off */
+  TERN_FLIGHT_NO_PROGRESS = 4,      /* there is no way that can be proven */
+  TERN_FLIGHT_HEMMED_IN = 5,        /* there is no way that can be proven, and something is nearer than the radius */
+  TERN_FLIGHT_VIA_BLOCKED = 6,      /* the mission's next point is occupied or fenced */
+  TERN_FLIGHT_VIA_UNREACHABLE = 7,  /* there is no way to the mission's next point */
+  TERN_FLIGHT_MAP_STALE = 8,        /* no frames come, and there is no way through known space */
+  TERN_FLIGHT_STRAYS = 9,           /* it flies slower: it strays by more than 60 % of the tracking margin */
+  TERN_FLIGHT_MARGIN_EXCEEDED = 10, /* likewise, and it strayed by more than the margin */
+  TERN_FLIGHT_LANDED = 11,          /* it stands where it was to land */
+  TERN_FLIGHT_GROUND_UNSEEN = 12,   /* it cannot land: the ground there was not seen */
+  TERN_FLIGHT_GROUND_UNEVEN = 13    /* it cannot land: the ground there is not flat, or something is on it */
 };
 /* What keeps the flight from going on. */
 enum {
@@ -147,6 +150,10 @@ uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
 /* Sets a mission: vias, and the goal as the last point, whose tolerance and stop mean nothing. ok, non_finite_input,
  * vias_full or invalid_argument. */
 uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, int32_t count, uint8_t policy);
+/* Flies to the point above `place`, then descends straight to it at most at `speed`, m/s. `place`: of the vehicle's
+ * centre once it stands; `ground`: a height that the ground there does not exceed. ok, non_finite_input or
+ * invalid_argument. */
+uint8_t tern_flight_land(tern_flight* flight, const tern_vec3* place, double ground, double speed);
 /* What became of a point of the mission. */
 uint8_t tern_flight_point_state(const tern_flight* flight, int32_t point);
 /* Comes to rest and forgets the goal. */

@@ -38,6 +38,7 @@ uint8_t tern_flight_record_begin(tern_flight_recorder* recorder, uint8_t* bytes,
 uint8_t tern_flight_record_bind(tern_flight_recorder* recorder, const tern_map_spec* spec, uint8_t answer);
 uint8_t tern_flight_record_assume_free(tern_flight_recorder* recorder, const tern_vec3* center, double radius,
                                        uint8_t answer);
+uint8_t tern_flight_record_assume_column(tern_flight_recorder* recorder, const tern_cylinder* column, uint8_t answer);
 uint8_t tern_flight_record_mark_box(tern_flight_recorder* recorder, const tern_box* world, uint8_t answer);
 uint8_t tern_flight_record_mark_cylinder(tern_flight_recorder* recorder, const tern_cylinder* world, uint8_t answer);
 uint8_t tern_flight_record_mark_points(tern_flight_recorder* recorder, const tern_vec3* world, size_t count,
@@ -57,6 +58,8 @@ uint8_t tern_flight_record_start(tern_flight_recorder* recorder, const tern_flig
 uint8_t tern_flight_record_set_goal(tern_flight_recorder* recorder, const tern_vec3* goal, uint8_t answer);
 uint8_t tern_flight_record_set_mission(tern_flight_recorder* recorder, const tern_via* points, int32_t count,
                                        uint8_t policy, uint8_t answer);
+uint8_t tern_flight_record_land(tern_flight_recorder* recorder, const tern_vec3* place, double ground, double speed,
+                                uint8_t answer);
 uint8_t tern_flight_record_set_yaw(tern_flight_recorder* recorder, const tern_flight_yaw* yaw, uint8_t answer);
 uint8_t tern_flight_record_stop(tern_flight_recorder* recorder, uint8_t answer);
 uint8_t tern_flight_record_note_position(tern_flight_recorder* recorder, const tern_vec3* position, int64_t t,

@@ -77,6 +77,9 @@ uint8_t tern_map_step(tern_map* map, uint32_t work);
 uint8_t tern_map_busy(const tern_map* map);
 /* States, before take-off, that a ball is free: the voxels wholly inside it count as seen. */
 uint8_t tern_map_assume_free(tern_map* map, const tern_vec3* center, double radius);
+/* States, before take-off, where the vehicle stands: the column is free, and the ground below it is no higher than its
+ * base. Then tern_flight_start() takes a start on that ground. */
+uint8_t tern_map_assume_column(tern_map* map, const tern_cylinder* column);
 /* Marks a box, an upright cylinder, or the voxels of points, as obstacles. */
 uint8_t tern_map_mark_box(tern_map* map, const tern_box* world);
 uint8_t tern_map_mark_cylinder(tern_map* map, const tern_cylinder* world);

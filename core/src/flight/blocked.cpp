@@ -49,6 +49,25 @@ void look_at_row(const Grid& grid, const Vec3& local, const IndexRange& range, c
   }
 }
 
+/// Calls visit(x, y) for the columns of voxels nearer than the radius to a place, seen from above, until it answers
+/// true. True if it did.
+template <typename Visit>
+bool visit_columns(const Grid& grid, const Vec3& place, Visit visit) {
+  const GridSpec& window = grid.spec();
+  const Vec3 local = grid.to_local(place);
+  const double most = window.clearance();
+  const IndexRange xs = indices_around(local.x, most, window.cell, window.dims.x);
+  const IndexRange ys = indices_around(local.y, most, window.cell, window.dims.y);
+  for (std::int32_t y = ys.begin; y < ys.end; ++y) {
+    const double aside = gap(local.y, y, window.cell);
+    for (std::int32_t x = xs.begin; x < xs.end; ++x) {
+      const double along = gap(local.x, x, window.cell);
+      if (along * along + aside * aside < most * most && visit(x, y)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double most) noexcept {
@@ -84,6 +103,38 @@ double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid&
   work.spend(8 * ops::kWord * solid.words);
   if (solid.found) *this = block_at(map, solid.voxel);
   return solid.distance;
+}
+
+bool Blockage::note_site(const RollingMap& map, const Vec3& place, double ground, Work& work) noexcept {
+  const Grid& route = map.route();
+  const GridSpec& window = route.spec();
+  const auto layers_below = [&](double height) {
+    return ceil_index((height - window.origin.z) / window.cell, 0, window.dims.z);
+  };
+  const std::int32_t above = layers_below(ground);
+  const std::int32_t end = layers_below(height_above(window, ground));
+  const std::int32_t around = 2 * ceil_index(window.clearance() / window.cell, 0, window.dims.x) + 2;
+  work.spend(8 * ops::kWord * around * around * (end - above + 2));
+  *this = kNoBlockage;
+  const bool is_occupied = visit_columns(route, place, [&](std::int32_t x, std::int32_t y) {
+    for (std::int32_t z = above; z < end; ++z) {
+      if (!route.obstacle({x, y, z})) continue;
+      *this = {BlockedBy::kObstacle, window.origin + route.center({x, y, z}), kNoFence};
+      return true;
+    }
+    return false;
+  });
+  if (is_occupied) return false;
+  double stated = 0.0;
+  if (map.ground_at(place, ground_needed(window), stated) && stated <= ground) return true;
+  return !visit_columns(route, place, [&](std::int32_t x, std::int32_t y) {
+    const Voxel top{x, y, above - 1};
+    const Voxel deeper{x, y, above - 2};
+    if (route.obstacle(top) || route.obstacle(deeper)) return false;
+    const bool is_hole = map.seen(top) && map.seen(deeper);
+    if (!is_hole) *this = {BlockedBy::kUnseen, window.origin + route.center(top), kNoFence};
+    return true;
+  });
 }
 
 void Blockage::note_unproven(const RollingMap& map, const Draft& draft) noexcept {

@@ -37,6 +37,10 @@ struct Blockage {
   /// Notes the solid voxel of the safe or route grid that is too near to a place. Returns its distance, or more than
   /// the radius if there is none; kAnywhere while the map slides, because nothing is known of it then.
   double note_near(const RollingMap& map, const Vec3& place, const Grid& grid, Work& work) noexcept;
+  /// True if the vehicle may descend to a place, as far as is known: nothing was seen above the ground there, and the
+  /// ground was stated or seen, no higher than `ground` and at most two voxels deeper. Otherwise notes what is in the
+  /// way or where the ground was not seen; kNothing if it was seen not to be there.
+  bool note_site(const RollingMap& map, const Vec3& place, double ground, Work& work) noexcept;
   /// Notes what ended the proof of the draft.
   void note_unproven(const RollingMap& map, const Draft& draft) noexcept;
   /// Notes what is in the way of a plan that failed, unless an earlier proof named a voxel that is still solid.

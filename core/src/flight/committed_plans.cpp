@@ -20,7 +20,12 @@ double Commitment::time_of(std::int32_t point) const noexcept {
 }
 
 ProofGrounds grounds_of(const FlightSpec& spec, const Commitment& commitment) noexcept {
-  return {nullptr, commitment.hemmed_in ? &commitment.departed : nullptr, nullptr, spec.fences, spec.fence_count};
+  ProofGrounds grounds;
+  if (commitment.hemmed_in || commitment.lifts) grounds.departed = &commitment.departed;
+  if (commitment.lifts) grounds.ground = &commitment.ground;
+  grounds.fences = spec.fences;
+  grounds.fence_count = spec.fence_count;
+  return grounds;
 }
 
 Sample CommittedPlans::sample_at(std::int64_t t) const noexcept {
@@ -50,6 +55,12 @@ void CommittedPlans::hover_at(const Vec3& position) noexcept {
   append_between(rest, rest, kMinDuration, in_flight.trajectory);
   in_flight.planned = in_flight.trajectory;
   in_flight.branch = kMinDuration;
+}
+
+void CommittedPlans::stand_on(double ground) noexcept {
+  in_flight.lifts = true;
+  in_flight.departed = in_flight.place;
+  in_flight.ground = ground;
 }
 
 bool CommittedPlans::take_over(std::int64_t time) noexcept {

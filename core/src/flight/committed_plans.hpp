@@ -43,6 +43,9 @@ struct Commitment : Destination {
   bool evades;     ///< a brake that was made for a threat, proven or not
   bool hemmed_in;  ///< the plan begins at rest at `departed`, with something within the radius
   Vec3 departed;   ///< world frame
+  bool lifts;      ///< the plan leads straight up from `departed` on the ground, or straight down to it
+  double ground;   ///< the height that the ground there does not exceed
+  bool lands;      ///< it leads down to `departed`, to stay there
   bool looks_out;  ///< the plan leads to a place from where `hidden` may be seen
   Vec3 hidden;     ///< world frame
 
@@ -95,6 +98,8 @@ struct CommittedPlans {
   std::int64_t rest_begins() const noexcept;
   /// The plan in flight becomes one segment that stays at a place.
   void hover_at(const Vec3& position) noexcept;
+  /// The vehicle stands where it hovers, on ground that is no higher than `ground`.
+  void stand_on(double ground) noexcept;
   /// True if the waiting plan takes over at `time`.
   bool take_over(std::int64_t time) noexcept;
   void drop_waiting() noexcept { has_waiting = false; }

@@ -61,6 +61,13 @@ void Cycle::begin_copy(const FlightFacts& flight, const RestSearch& search, std:
   job = Job::kCopy;
 }
 
+void Cycle::begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcept {
+  const Commitment& in_flight = flight.plans.in_flight;
+  aim.begin(joint_at(in_flight.trajectory, in_flight.time_at(takeover), kZero), flight.itinerary.number);
+  hemmed_in = remainder_is_free = looks_out = false;
+  job = Job::kWait;
+}
+
 Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {
   while (!route.done()) {
     if (!work.left()) return Progress::kMore;

@@ -78,6 +78,8 @@ struct Cycle {
   /// The job is kLookout if a lookout is to be found, otherwise kCopy.
   void begin(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept;
   void begin_copy(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept;
+  /// The draft is a lift: only its proof is left to do.
+  void begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcept;
   Progress copy(const RollingMap& map, Work& work) noexcept;
   /// Begins to prove the remainder of the planner's plan in flight on the copy, if it is a candidate.
   Progress begin_remainder(const FlightFacts& flight, Draft& draft) noexcept;

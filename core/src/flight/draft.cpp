@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "flight/branch.hpp"
+#include "flight/lift.hpp"
 #include "prove/joints.hpp"
 
 namespace tern {
@@ -37,8 +38,23 @@ void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, b
   plan.evades = false;
   plan.hemmed_in = hemmed_in;
   plan.departed = aim.start.d[0];
+  plan.lifts = plan.lands = false;
   plan.looks_out = looks_out;
   plan.hidden = hidden;
+}
+
+void Draft::lift(const FlightFacts& flight, const Vec3& to, double speed, const Vec3& stand, double ground) noexcept {
+  static_cast<Destination&>(plan) = {to, false, false, flight.itinerary.number, flight.itinerary.leg};
+  plan.planned.begin = takeover;
+  plan.planned.origin = flight.plans.sample_at(takeover).position;
+  plan.planned.count = 0;
+  append_lift(to - plan.planned.origin, speed, flight.limits, plan.planned);
+  plan.branch = 0.0;
+  plan.passages = 0;
+  plan.evades = plan.hemmed_in = plan.looks_out = plan.lands = extends = false;
+  plan.lifts = true;
+  plan.departed = stand;
+  plan.ground = ground;
 }
 
 void Draft::list_passages(const Aim& aim, const Report& found, const Trajectory& planned) noexcept {
@@ -70,6 +86,9 @@ bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work
   plan.looks_out = false;
   plan.hemmed_in = committed.hemmed_in;
   plan.departed = committed.departed;
+  plan.lifts = committed.lifts;
+  plan.ground = committed.ground;
+  plan.lands = false;
   plan.trajectory.count = 0;
   plan.trajectory.begin = takeover;
   plan.trajectory.origin = evaluate(committed.trajectory, committed.time_at(takeover)).position;

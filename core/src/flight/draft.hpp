@@ -36,6 +36,9 @@ struct Draft {
   void extend(const Commitment& in_flight) noexcept;
   /// Becomes the planner's trajectory. `hidden` may be seen from its end if it looks out.
   void compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out, const Vec3& hidden) noexcept;
+  /// Becomes a lift from where the vehicle rests at the takeover, straight to a place. `stand` and `ground`: where it
+  /// stands before or after it, and the height that the ground there does not exceed.
+  void lift(const FlightFacts& flight, const Vec3& to, double speed, const Vec3& stand, double ground) noexcept;
   /// Lists when the planner's trajectory passes the points that it was asked for, and the target if it ends there.
   void list_passages(const Aim& aim, const Report& found, const Trajectory& planned) noexcept;
   /// Follows the planner's plan to its end, which is `until` seconds from its beginning.

@@ -21,9 +21,20 @@ Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) n
   const Status status = check_mission(points, count, policy);
   if (status != Status::kOk) return status;
   state_->facts.itinerary.begin(points, count, policy);
+  state_->facts.landing.is_asked = false;
   state_->cycle.aim.expect(points[0].position);
   state_->evasion.forget_stop();
   state_->try_anew();
+  return status;
+}
+
+Status Flight::land(const Vec3& place, double ground, double speed) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  if (!finite(place) || !finite(ground) || !finite(speed)) return Status::kNonFiniteInput;
+  const double top = height_above(state_->facts.map.safe().spec(), ground);
+  if (!(speed > 0.0) || !(place.z < top)) return Status::kInvalidArgument;
+  const Status status = set_goal({place.x, place.y, top});
+  if (status == Status::kOk) state_->facts.landing = {true, place, ground, speed};
   return status;
 }
 
@@ -31,6 +42,7 @@ Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) n
 Status Flight::stop() noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   state_->facts.itinerary.forget_goal();
+  state_->facts.landing.is_asked = false;
   state_->search.end_look();
   state_->evasion.ask_for_stop();
   state_->cycle.leave();

@@ -69,6 +69,10 @@ std::uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points
   return code(object(flight).set_mission(points, count, static_cast<tern::ViaPolicy>(policy)));
 }
 
+std::uint8_t tern_flight_land(tern_flight* flight, const tern_vec3* place, double ground, double speed) {
+  return place == nullptr ? kInvalid : code(object(flight).land(*place, ground, speed));
+}
+
 std::uint8_t tern_flight_point_state(const tern_flight* flight, std::int32_t point) {
   return static_cast<std::uint8_t>(object(flight).point_state(point));
 }

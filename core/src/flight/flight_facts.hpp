@@ -13,6 +13,7 @@
 #include "flight/committed_plans.hpp"
 #include "flight/flight_clock.hpp"
 #include "flight/itinerary.hpp"
+#include "flight/lift.hpp"
 #include "flight/stray.hpp"
 #include "tern/flight.hpp"
 #include "tern/map.hpp"
@@ -37,6 +38,7 @@ struct FlightFacts {
   std::int64_t gap;    ///< between the last two ticks
   CommittedPlans plans;
   Itinerary itinerary;
+  Landing landing;  ///< what follows at the goal, if it is asked for
   Stray stray;
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
   std::int64_t frame_time;  ///< of the tick at which `frames` last grew
@@ -63,6 +65,10 @@ struct FlightFacts {
   /// with.
   bool hovers() const noexcept {
     return time >= plans.rest_begins() || !(duration(plans.in_flight.trajectory) > kMinDuration);
+  }
+  /// The plan in flight leads down to where the vehicle is to land.
+  bool lands() const noexcept {
+    return landing.is_asked && plans.in_flight.lands && plans.in_flight.mission == itinerary.number;
   }
   /// The vehicle rests at this takeover, or within two ticks of it, if no other plan takes over before.
   bool rests_at(std::int64_t takeover) const noexcept { return takeover + 2 * spec.tick >= plans.rest_begins(); }

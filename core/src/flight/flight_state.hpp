@@ -53,6 +53,11 @@ class FlightState {
   double note_block_near_vehicle() noexcept;
   void finish_report(std::uint32_t spent) noexcept;
 
+  // lift.cpp: straight up from the ground, and down to it
+  bool begin_lift() noexcept;
+  void end_lift() noexcept;
+  void end_lift_unproven() noexcept;
+
   // results.cpp: what the results of a cycle mean to the other parts
   void begin_cycle() noexcept;
   Progress run_job() noexcept;
@@ -69,6 +74,7 @@ class FlightState {
   void enter_draft() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
+  FlightReason reason_of_landing(FlightReason why) const noexcept;
   void park(FlightReason why) noexcept;
   bool leave_out(std::int32_t point, FlightReason why) noexcept;
   void try_anew() noexcept;

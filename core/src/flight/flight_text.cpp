@@ -31,6 +31,9 @@ const char* flight_reason_text(FlightReason reason) noexcept {
     case FlightReason::kViaUnreachable: return "there is no way to the next point of the mission that can be proven free";
     case FlightReason::kStrays: return "it flies slower: it strays from the plan by most of the tracking margin";
     case FlightReason::kMarginExceeded: return "it strayed from the plan by more than the tracking margin, and flies slower";
+    case FlightReason::kLanded: return "it stands where it was to land";
+    case FlightReason::kGroundUnseen: return "it cannot land: the ground there, or what is above it, was not seen";
+    case FlightReason::kGroundUneven: return "it cannot land: the ground there is not flat, or something is on it";
     case FlightReason::kMapStale: return "no new frames come, and there is no way through what the map knows";
   }
   return "unknown";

@@ -35,7 +35,8 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.passed = facts.itinerary.count_points(PointState::kPassed);
   report.skipped = facts.itinerary.count_points(PointState::kSkipped);
   const bool has_block = watch.is_beside(facts) || (facts.itinerary.reason != FlightReason::kNoGoal &&
-                                                    facts.itinerary.reason != FlightReason::kArrived);
+                                                    facts.itinerary.reason != FlightReason::kArrived &&
+                                                    facts.itinerary.reason != FlightReason::kLanded);
   const Blockage& what = has_block ? block : kNoBlockage;
   report.blocked_by = what.by;
   report.blocked_at = what.at;

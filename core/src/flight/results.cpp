@@ -13,9 +13,11 @@ void FlightState::begin_cycle() noexcept {
   const bool is_free = !facts.plans.has_waiting && !evasion.stop_asked && !watch.is_running;
   if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound()) return;
   draft.begin(facts, cycle.lead.ticks(facts.spec));
+  if (begin_lift()) return;
   const Commitment& in_flight = facts.plans.in_flight;
   const bool stays = facts.itinerary.is_reached_by(in_flight) || facts.itinerary.dwells_after(in_flight);
-  if (stays && facts.rests_at(draft.takeover)) return;
+  const bool looks_for_ground = facts.landing.is_asked && search.seeks;
+  if (stays && !looks_for_ground && facts.rests_at(draft.takeover)) return;
   if (facts.is_too_fast_at(draft.takeover)) return evasion.ask_to_slow();
   ++report.asked;
   cycle.begin(facts, search, draft.takeover);
@@ -107,6 +109,10 @@ void FlightState::choose_draft(bool planned) noexcept {
 /// resting vehicle, the report keeps that instead.
 Progress FlightState::run_proof() noexcept {
   if (draft.proof.step(tick_work) == Status::kRunning) return Progress::kMore;
+  if (draft.plan.lifts) {
+    end_lift();
+    return Progress::kDone;
+  }
   const ProofReport& found = draft.proof.report();
   search.look_at_end(facts, draft, found.until);
   nose.note_view(facts.map, found);
@@ -186,9 +192,18 @@ void FlightState::give_up() noexcept {
   if (why != FlightReason::kNone) park(why);
 }
 
+/// Why the vehicle does not land, if that is why it rests.
+FlightReason FlightState::reason_of_landing(FlightReason why) const noexcept {
+  if (why == FlightReason::kNoProgress && facts.itinerary.is_reached_by(facts.plans.in_flight)) {
+    return FlightReason::kGroundUnseen;
+  }
+  return why == FlightReason::kNearest && !cycle.cut_off ? FlightReason::kGroundUneven : why;
+}
+
 /// Gives up, or leaves out the next point as the mission's policy says. Without new frames nothing is known about the
 /// points, so the flight gives up as a whole.
 void FlightState::park(FlightReason why) noexcept {
+  if (facts.landing.is_asked && !facts.is_stale()) why = reason_of_landing(why);
   if (why == FlightReason::kNoProgress && facts.is_stale()) why = FlightReason::kMapStale;
   const bool is_general = why == FlightReason::kHemmedIn || why == FlightReason::kMapStale;
   const bool is_occupied = why == FlightReason::kNearest && !cycle.cut_off;

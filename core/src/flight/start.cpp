@@ -10,6 +10,7 @@
 #include "flight/blocked.hpp"
 #include "flight/flight_state.hpp"
 #include "planner/validate.hpp"
+#include "prove/hull_clear.hpp"
 #include "tern/flight.hpp"
 
 namespace tern {
@@ -92,14 +93,40 @@ void find_too_near(const RollingMap& map, const Vec3& place, FlightRefusal& refu
   }
 }
 
-/// kOk if the vehicle may stay where it is, otherwise why not.
-Status prove_start(const FlightFacts& flight, Draft& draft, FlightRefusal& refusal) {
+/// Writes into the refusal what is in the way of the vehicle where it stands, or of its way up.
+void find_in_column(const FlightFacts& flight, const Draft& draft, FlightRefusal& refusal) {
+  Blockage block = kNoBlockage;
+  block.note_unproven(flight.map, draft);
+  const Grid& safe = flight.map.safe();
+  const Vec3& place = flight.plans.in_flight.place;
+  refusal.needed = safe.spec().clearance();
+  refusal.blocked_by = block.by;
+  refusal.blocked_at = block.at;
+  refusal.distance = block.is_voxel() ? distance_to_cube(safe, draft.proof.report().voxel, safe.to_local(place)) : 0.0;
+}
+
+/// kOk if the vehicle may stay where it is, otherwise why not. On stated ground it may stand, if it can climb.
+Status prove_start(FlightFacts& flight, Draft& draft, FlightRefusal& refusal) {
   if (draft.prove_hover(flight)) return Status::kOk;
-  const ProofReport& found = draft.proof.report();
+  const Vec3 place = flight.plans.in_flight.place;
+  const GridSpec& window = flight.map.safe().spec();
   refusal.field = Field::kStartPosition;
-  refusal.fence = found.fence;
-  if (found.finding == Finding::kFence) return Status::kStartFenced;
-  find_too_near(flight.map, flight.plans.in_flight.place, refusal);
+  refusal.fence = draft.proof.report().fence;
+  if (refusal.fence != kNoFence) return Status::kStartFenced;
+  double ground = 0.0;
+  if (!flight.map.ground_at(place, ground_needed(window), ground)) {
+    find_too_near(flight.map, place, refusal);
+    return Status::kStartOccupied;
+  }
+  flight.plans.stand_on(ground);
+  draft.begin(flight, 0);
+  draft.lift(flight, {place.x, place.y, larger(place.z, height_above(window, ground))}, kAnywhere, place, ground);
+  draft.begin_proof(flight, draft.plan.planned, 0.0);
+  draft.proof.step(~std::uint32_t{0});
+  if (draft.proof.report().finding == Finding::kNone) return Status::kOk;
+  refusal.fence = draft.proof.report().fence;
+  if (refusal.fence != kNoFence) return Status::kStartFenced;
+  find_in_column(flight, draft, refusal);
   return Status::kStartOccupied;
 }
 
@@ -153,6 +180,7 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   state->search.look_towards(position);
   const Status rests = prove_start(state->facts, state->draft, why);
   if (rests != Status::kOk) return rests;
+  why = FlightRefusal{};
   const Status bound = state->cycle.route.bind(map, words + state_words(), word_count - state_words());
   if (bound == Status::kOk) state_ = state;
   return bound;

@@ -55,11 +55,10 @@ void FlightState::end_watched_part() noexcept {
 }
 
 void FlightState::advance() noexcept {
-  const bool has_arrived =
-      facts.itinerary.goes_on() && facts.rests() && facts.itinerary.is_reached_by(facts.plans.in_flight);
-  if (has_arrived) {
+  const bool is_last = facts.landing.is_asked ? facts.lands() : facts.itinerary.is_reached_by(facts.plans.in_flight);
+  if (facts.itinerary.goes_on() && facts.rests() && is_last) {
     facts.itinerary.pass(facts.itinerary.last());
-    park(FlightReason::kArrived);
+    park(facts.landing.is_asked ? FlightReason::kLanded : FlightReason::kArrived);
   }
   if (is_busy() && facts.time > draft.deadline) {
     ++report.dropped;

@@ -96,6 +96,10 @@ std::uint8_t tern_map_assume_free(tern_map* map, const tern_vec3* center, double
   return center == nullptr ? kInvalid : code(object(map).assume_free(*center, radius));
 }
 
+std::uint8_t tern_map_assume_column(tern_map* map, const tern_cylinder* column) {
+  return column == nullptr ? kInvalid : code(object(map).assume_column(*column));
+}
+
 std::uint8_t tern_map_mark_box(tern_map* map, const tern_box* world) {
   return world == nullptr ? kInvalid : code(object(map).mark_box(*world));
 }

@@ -85,8 +85,9 @@ class MapState {
   MapSpec spec;
   Grid route;
   Grid safe;
-  Voxel base;      ///< the window's lower voxel, counted from the spec's origin
-  VoxelBox added;  ///< a box around the voxels of the safe grid that became solid since the last take_added()
+  Voxel base;       ///< the window's lower voxel, counted from the spec's origin
+  Cylinder column;  ///< of the last assume_column(); its radius is 0 before
+  VoxelBox added;   ///< a box around the voxels of the safe grid that became solid since the last take_added()
 
   // The layers of evidence, with the same rows as the grids, and the images.
   std::uint64_t* seen;

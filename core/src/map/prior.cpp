@@ -1,14 +1,14 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Changes of the map that do not come from a sensor: the prior; marked boxes, cylinders and points; a ball that is
-// assumed free.
+// Obstacles that do not come from a sensor: the prior; marked boxes, cylinders and points.
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "grid/cylinder.hpp"
 #include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
+#include "map/voxel_words.hpp"
 
 namespace tern {
 namespace {
@@ -17,21 +17,6 @@ namespace {
 VoxelBox voxels_met(const GridSpec& window, const Box& box) {
   return {voxels_met(window, box.lower.x, box.upper.x, 0), voxels_met(window, box.lower.y, box.upper.y, 1),
           voxels_met(window, box.lower.z, box.upper.z, 2)};
-}
-
-/// Calls visit(y, z, k, bits) for each word of the box, unless the box is empty along x.
-template <typename Visit>
-void visit_words(const VoxelBox& box, Visit visit) {
-  if (box.x.begin >= box.x.end) return;
-  for (std::int32_t z = box.z.begin; z < box.z.end; ++z) {
-    for (std::int32_t y = box.y.begin; y < box.y.end; ++y) {
-      for (std::int32_t k = box.x.begin >> 6; k <= (box.x.end - 1) >> 6; ++k) visit(y, z, k, bits_within(box.x, k));
-    }
-  }
-}
-
-VoxelBox all_voxels(const Voxel& dims) {
-  return {{0, dims.x}, {0, dims.y}, {0, dims.z}};
 }
 
 /// Blocks the voxels in `hit` at once, whatever MapSpec::hits says.
@@ -46,23 +31,6 @@ void enter_marks(MapState& state) {
     state.store(y, z, k, GridWords(state.route).obstacles()[at] | marked);
   });
   state.inflate();
-}
-
-/// Square of the distance, on one axis, from a point to the farther face of voxel `index`, in cells.
-double farthest_square(double cells, std::int32_t index) {
-  const double far = larger(absolute(cells - index), absolute(cells - (index + 1)));
-  return far * far;
-}
-
-/// Of the 64 voxels from `first` on along x, those that lie wholly in a ball.
-std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first, std::int32_t count) {
-  const double rest = square - farthest_square(center.y, first.y) - farthest_square(center.z, first.z);
-  std::uint64_t bits = 0;
-  if (rest < 0.0) return bits;
-  for (std::int32_t b = 0; b < 64 && first.x + b < count; ++b) {
-    if (farthest_square(center.x, first.x + b) <= rest) bits |= std::uint64_t{1} << b;
-  }
-  return bits;
 }
 
 }  // namespace
@@ -94,23 +62,6 @@ void MapState::mark_prior(std::int32_t z, const VoxelBox& kept, Work& work) noex
 void MapState::inflate() noexcept {
   route.inflate();
   safe.inflate();
-}
-
-Status RollingMap::assume_free(const Vec3& center, double radius) noexcept {
-  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
-  if (!finite(center) || !finite(radius)) return Status::kNonFiniteInput;
-  if (radius < 0.0) return Status::kInvalidArgument;
-  MapState& state = *state_;
-  const double cell = state.spec.cell;
-  const Vec3 cells = (1.0 / cell) * state.route.to_local(center);
-  const double square = (radius / cell) * (radius / cell);
-  visit_words(all_voxels(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
-    const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
-    state.seen[at] |= inside_ball(cells, square, {64 * k, y, z}, state.spec.dims.x);
-    state.store(y, z, k, GridWords(state.route).obstacles()[at]);
-  });
-  state.inflate();
-  return Status::kOk;
 }
 
 Status RollingMap::mark_box(const Box& world) noexcept {

@@ -155,7 +155,7 @@ struct Hull {
 
 /// The distance that the hull must keep from one box of obstacles.
 double distance_from(const Hull& hull, const Box& box) {
-  if (hull.keeps.departed == nullptr) return hull.keeps.distance;
+  if (hull.keeps.departed == nullptr || !(box.lower.z < hull.keeps.ground)) return hull.keeps.distance;
   const Vec3& place = *hull.keeps.departed;
   return smaller(hull.keeps.distance, length(place - nearest_in(box, place)) - hull.keeps.tolerance);
 }

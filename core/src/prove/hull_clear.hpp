@@ -37,6 +37,7 @@ struct Clearance {
                          ///< the hull as to the place
   double tolerance;      ///< metres by which it may be nearer to the hull than to the place
   Pardon pardon;
+  double ground = __builtin_inf();  ///< of `departed`: an obstacle that begins at this height or above it is not left
 };
 
 /// True only if the hull of the points keeps the clearance from all obstacle cubes. If false, `found` receives a voxel

@@ -71,8 +71,7 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   if (has_limits_) limits_ = *limits;
   has_added_ = grounds.added != nullptr;
   if (has_added_) added_ = {grid.to_local(grounds.added->lower), grid.to_local(grounds.added->upper)};
-  has_departed_ = grounds.departed != nullptr;
-  if (has_departed_) departed_ = grid.to_local(*grounds.departed);
+  depart(grounds);
   fences_ = grounds.fences;
   fence_count_ = grounds.fence_count;
   pardoned_ = nullptr;
@@ -121,6 +120,18 @@ void Proof::enter(const Trajectory& trajectory) noexcept {
   const double into = (report_.until - begin_) / trajectory.segments[segment_].duration;
   first_ = into >= 0.0 ? smaller(into, 1.0) : 0.0;
   enter_segment();
+}
+
+/// A vehicle that stands on the ground never gets lower than it stands: nothing else would keep it from sinking into a
+/// voxel that its centre is in.
+void Proof::depart(const ProofGrounds& grounds) noexcept {
+  has_departed_ = grounds.departed != nullptr;
+  ground_ = __builtin_inf();
+  if (!has_departed_) return;
+  departed_ = grid_->to_local(*grounds.departed);
+  if (grounds.ground == nullptr) return;
+  ground_ = *grounds.ground - grid_->spec().origin.z;
+  boundary_.lower.z = larger(boundary_.lower.z, departed_.z - near_);
 }
 
 /// Pardons seen voxels whose centres are in the alarm's box.

@@ -76,7 +76,7 @@ bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
   if (is_wide(box, spec.cell)) return false;
   const Pardon pardon{
       pardoned_, {pardon_begin_.x, pardon_end_.x}, {pardon_begin_.y, pardon_end_.y}, {pardon_begin_.z, pardon_end_.z}};
-  const Clearance clearance{distance_, has_departed_ ? &departed_ : nullptr, near_, pardon};
+  const Clearance clearance{distance_, has_departed_ ? &departed_ : nullptr, near_, pardon, ground_};
   return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel, *work_);
 }
 

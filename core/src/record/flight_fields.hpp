@@ -37,8 +37,10 @@ enum class FlightEventKind : std::uint8_t {
   kClock,
   kBeams,
   kPosition,
+  kAssumeColumn,
+  kLand,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kPosition);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kLand);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 

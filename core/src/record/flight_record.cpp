@@ -52,6 +52,14 @@ Status FlightRecorder::set_mission(const Via* points, int32_t count, ViaPolicy p
   return event.end();
 }
 
+Status FlightRecorder::land(const Vec3& place, double ground, double speed, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kLand, answer);
+  event.words()(place);
+  event.words()(ground);
+  event.words()(speed);
+  return event.end();
+}
+
 Status FlightRecorder::set_yaw(const FlightYaw& yaw, Status answer) noexcept {
   Event event(*this, FlightEventKind::kYaw, answer);
   if (!event.is_open()) return event.end();

@@ -72,6 +72,12 @@ std::uint8_t tern_flight_record_assume_free(tern_flight_recorder* recorder, cons
                 [=](FlightRecorder& r) { return r.assume_free(*center, radius, status(answer)); });
 }
 
+std::uint8_t tern_flight_record_assume_column(tern_flight_recorder* recorder, const tern_cylinder* column,
+                                              std::uint8_t answer) {
+  return record(recorder, column != nullptr,
+                [=](FlightRecorder& r) { return r.assume_column(*column, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_mark_box(tern_flight_recorder* recorder, const tern_box* world, std::uint8_t answer) {
   return record(recorder, world != nullptr, [=](FlightRecorder& r) { return r.mark_box(*world, status(answer)); });
 }
@@ -126,6 +132,12 @@ std::uint8_t tern_flight_record_set_mission(tern_flight_recorder* recorder, cons
                                             std::uint8_t policy, std::uint8_t answer) {
   const auto what = static_cast<tern::ViaPolicy>(policy);
   return record(recorder, true, [=](FlightRecorder& r) { return r.set_mission(points, count, what, status(answer)); });
+}
+
+std::uint8_t tern_flight_record_land(tern_flight_recorder* recorder, const tern_vec3* place, double ground,
+                                     double speed, std::uint8_t answer) {
+  return record(recorder, place != nullptr,
+                [=](FlightRecorder& r) { return r.land(*place, ground, speed, status(answer)); });
 }
 
 std::uint8_t tern_flight_record_set_yaw(tern_flight_recorder* recorder, const tern_flight_yaw* yaw,

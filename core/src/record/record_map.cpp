@@ -77,6 +77,12 @@ Status FlightRecorder::assume_free(const Vec3& center, double radius, Status ans
   return event.end();
 }
 
+Status FlightRecorder::assume_column(const Cylinder& column, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kAssumeColumn, answer);
+  list_cylinder(event.words(), column);
+  return event.end();
+}
+
 Status FlightRecorder::mark_box(const Box& world, Status answer) noexcept {
   Event event(*this, FlightEventKind::kMarkBox, answer);
   list_box(event.words(), world);

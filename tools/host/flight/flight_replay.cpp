@@ -49,6 +49,7 @@ class Player {
       case FlightEventKind::kBind:
         return bind(event);
       case FlightEventKind::kAssumeFree:
+      case FlightEventKind::kAssumeColumn:
       case FlightEventKind::kMarkBox:
       case FlightEventKind::kMarkCylinder:
       case FlightEventKind::kMarkPoints:
@@ -77,6 +78,8 @@ class Player {
         return tick(event);
       case FlightEventKind::kClock:
         return set_clock(event);
+      case FlightEventKind::kLand:
+        return land(event);
       case FlightEventKind::kPosition:
         return note_position(event);
     }
@@ -120,6 +123,11 @@ class Player {
       tern::Cylinder cylinder{};
       list_cylinder(event.words, cylinder);
       return map_.mark_cylinder(cylinder);
+    }
+    if (event.kind == FlightEventKind::kAssumeColumn) {
+      tern::Cylinder column{};
+      list_cylinder(event.words, column);
+      return map_.assume_column(column);
     }
     const tern::Vec3 center = read<tern::Vec3>(event);
     return map_.assume_free(center, read<double>(event));
@@ -179,6 +187,12 @@ class Player {
     yaw.headings = headings.data();
     yaw.heading_count = static_cast<std::int32_t>(headings.size());
     return flight_.set_yaw(yaw);
+  }
+
+  Status land(FlightEvent& event) {
+    goal_ = read<tern::Vec3>(event);
+    const auto ground = read<double>(event);
+    return flight_.land(goal_, ground, read<double>(event));
   }
 
   Status note_position(FlightEvent& event) {
