@@ -34,6 +34,12 @@
   FIELD(tern_budget, trajectory)                                                                                     \
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
+  FIELD(tern_track_piece, duration) FIELD(tern_track_piece, points)                                                  \
+  FIELD(tern_track, measured) FIELD(tern_track, until) FIELD(tern_track, position) FIELD(tern_track, velocity)       \
+  FIELD(tern_track, pieces) FIELD(tern_track, piece_count) FIELD(tern_track, id) FIELD(tern_track, kind)             \
+  FIELD(tern_track, shape) FIELD(tern_track, end) FIELD(tern_track, radius) FIELD(tern_track, half)                  \
+  FIELD(tern_track, error) FIELD(tern_track, error_speed) FIELD(tern_track, error_growth) FIELD(tern_track, reach)   \
+  FIELD(tern_request, tracks) FIELD(tern_request, track_count) FIELD(tern_request, rest_clear)                       \
   FIELD(tern_via, position) FIELD(tern_via, tolerance) FIELD(tern_via, stop) FIELD(tern_via, has_velocity)           \
   FIELD(tern_via, velocity) FIELD(tern_via, dwell) FIELD(tern_request, vias) FIELD(tern_request, via_count)                                 \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
@@ -54,6 +60,8 @@
   FIELD(tern_via_passage, time) FIELD(tern_via_passage, distance) FIELD(tern_report, via) FIELD(tern_report, vias)    \
   FIELD(tern_proof_report, via) FIELD(tern_proof_report, fence) FIELD(tern_proof_report, derivative)                 \
   FIELD(tern_proof_report, axis) FIELD(tern_proof_report, voxel) FIELD(tern_proof_report, excess)                    \
+  FIELD(tern_proof_report, track) FIELD(tern_report, track) FIELD(tern_report, conflict)                             \
+  FIELD(tern_report, rest_clear_until) FIELD(tern_report, waits)                                                     \
   FIELD(tern_proof_report, work)                                                                                     \
   FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \

@@ -15,7 +15,7 @@ NARROW = {"qp": {"base", "qp"}, "record": {"base", "grid", "flight", "record"}}
 # The certifier shares nothing with what it judges but these, header by header: arithmetic, the rows of the grid's
 # words, what every stage is sliced by, and the refusal of fences that are none.
 CERTIFIER = {"base/math.hpp", "base/double_double.hpp", "base/triple.hpp", "base/work.hpp", "base/progress.hpp",
-             "base/capacity.hpp", "base/fence_fault.hpp", "grid/bit_rows.hpp"}
+             "base/capacity.hpp", "base/fence_fault.hpp", "base/track_fault.hpp", "grid/bit_rows.hpp"}
 # From the standard library the core takes types and placement, nothing that runs.
 SYSTEM = {"cstddef", "cstdint", "new", "stddef.h", "stdint.h", "stdbool.h", "Eigen/Core"}
 # The users of a public header may have no C++ library at all, as modules of NuttX.

@@ -154,6 +154,44 @@ TEST(Record, HoldsThePreviousPlan) {
   expect_same(again.plan, world.trajectory);
 }
 
+TEST(Record, HoldsTracks) {
+  tern_test::World world({70, 40, 20}, 0.1, 0.15);
+  world.from({0.55, 0.55, 1.05}).to({6.45, 3.45, 1.05});
+  const std::size_t without = record(world).size();
+  std::vector<TrackPiece> pieces(2, TrackPiece{2.0, {}});
+  for (Vec3& point : pieces[1].points) point = {0.5, 0.25, 0.0};
+  std::vector<Track> tracks(2);
+  tracks[0].position = {6.45, 3.45, 1.0};
+  tracks[0].radius = 0.25;
+  tracks[0].end = TrackEnd::kGone;
+  tracks[0].until = 9000000000;
+  tracks[1].position = {1.0, 3.5, 1.0};
+  tracks[1].pieces = pieces.data();
+  tracks[1].piece_count = 2;
+  tracks[1].shape = TrackShape::kBox;
+  tracks[1].half = {0.1, 0.2, 0.3};
+  tracks[1].reach = 0.01;
+  tracks[1].id = 4000000000u;
+  world.request.tracks = tracks.data();
+  world.request.track_count = 2;
+  world.request.rest_clear = 1.5;
+  ASSERT_EQ(world.plan(), Status::kOk);
+  EXPECT_GT(duration(world.trajectory), 9.0);
+  const Bytes bytes = record(world);
+  EXPECT_GT(bytes.size(), without);
+  Replayed again(bytes);
+  EXPECT_EQ(again.status, Status::kOk);
+  expect_same(again.plan, world.trajectory);
+  EXPECT_EQ(again.record.request.rest_clear, 1.5);
+  EXPECT_EQ(again.record.request.tracks[1].id, 4000000000u);
+  EXPECT_EQ(again.record.request.tracks[1].pieces[1].points[3].y, 0.25);
+  Bytes twice(bytes.size());
+  std::size_t used = 0;
+  ASSERT_EQ(record_plan(again.grid, again.record.request, again.status, again.plan, twice.data(), twice.size(), &used),
+            Status::kOk);
+  EXPECT_EQ(twice, bytes);
+}
+
 TEST(Record, HoldsAnAnswerWithoutAPlan) {
   tern_test::World world = tern_test::open_world();
   world.block({2.0, 0.0, 0.0}, {2.3, 4.0, 2.0});

@@ -78,6 +78,9 @@ std::string describe_finding(const ProofReport& check) {
     case Finding::kVia:
       return derivative_name(check.derivative) + " at " + number_of("via", check.via) + " is not what was asked for" +
              excess_text(check);
+    case Finding::kTrack:
+      return segment_text(check) + " is too near to " + number_of("track", check.track) + time_text(check) +
+             excess_text(check);
     case Finding::kNone:
       break;
   }

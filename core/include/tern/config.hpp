@@ -125,6 +125,17 @@
 #define TERN_MAX_WORLD_WORDS TERN_DEFAULT(1024, 1536, 48 * 1024, 2 * 1024 * 1024)
 #endif
 
+/// Tracks of one request: things that move. Each takes 152 bytes of the workspace. Beyond it: kTracksFull.
+#ifndef TERN_MAX_TRACKS
+#define TERN_MAX_TRACKS TERN_DEFAULT(2, 8, 32, 64)
+#endif
+
+/// Pieces of all tracks of one request together, 200 bytes each. A track that keeps its velocity has none, and another
+/// vehicle's plan one for each segment. Beyond it: kTrackPiecesFull.
+#ifndef TERN_MAX_TRACK_PIECES
+#define TERN_MAX_TRACK_PIECES TERN_DEFAULT(3, 8, 64, 512)
+#endif
+
 /// Pixels of the images that a rolling map takes (MapSpec::pixels), 4 bytes each in the map's words. Beyond it:
 /// kPixelsFull.
 #ifndef TERN_MAX_PIXELS
@@ -165,6 +176,8 @@ constexpr int kMaxQpSolves = TERN_MAX_QP_SOLVES;
 constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
 constexpr int32_t kMaxVias = TERN_MAX_VIAS;
+constexpr int32_t kMaxTracks = TERN_MAX_TRACKS;
+constexpr int32_t kMaxTrackPieces = TERN_MAX_TRACK_PIECES;
 constexpr int64_t kMaxWorldWords = TERN_MAX_WORLD_WORDS;
 constexpr int32_t kMaxPixels = TERN_MAX_PIXELS;
 constexpr int32_t kMaxPriorBoxes = TERN_MAX_PRIOR_BOXES;
@@ -184,6 +197,8 @@ static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are sm
 static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxWorldWords >= 1,
               "a fence that is a box; facets of fences live on the stack");
 static_assert(kMaxVias >= 1 && kMaxVias <= 1024, "sizes of reports are small");
+static_assert(kMaxTracks >= 1 && kMaxTracks <= 1024 && kMaxTrackPieces >= 1 && kMaxTrackPieces <= 65536,
+              "indices and bounds of work are small");
 static_assert(kMaxPixels >= 64 && kMaxPixels <= (1 << 26) && kMaxPriorBoxes >= 1, "sizes of images are 32 bits");
 static_assert(kMaxYawPieces >= 8 && kMaxYawPieces <= 4096, "a start, an end and something between");
 static_assert(kMaxNodes < (1 << 30) && kMaxOpen < (1 << 30), "node indices are 32 bits");

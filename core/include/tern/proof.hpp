@@ -13,6 +13,7 @@
 #include "tern/proof_report.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
+#include "tern/track_proof.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 #include "tern/work.hpp"
@@ -61,6 +62,11 @@ struct ProofGrounds {
   /// With `departed`: the height of the ground that the vehicle stands on there. Then only the voxels that reach below
   /// it count as left: the trajectory keeps the radius from all others. It is never lower than `departed`.
   const double* ground = nullptr;
+  /// Things that move, `track_count` of them, valid as for a Request. They must stay until the proof is done. With
+  /// `departed`, the trajectory may also begin nearer to a thing than it should, if it leads away
+  /// (TrackGrounds::leaves).
+  const Track* tracks = nullptr;
+  int32_t track_count = 0;
 };
 
 /// A segment is halved at most this many times over. A piece that is not proven then ends the proof.
@@ -90,12 +96,12 @@ class Proof {
   /// beginning; NaN and negative numbers count as 0, and past the end only the final position is proven. `limits` may
   /// be null: then only clearance is proven.
   ///
-  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty. A fence that a
-  /// Request may not have gets the same answer as there.
+  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty. A fence or a
+  /// track that a Request may not have gets the same answer as there.
   Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                const ProofGrounds& grounds = {}) noexcept;
-  /// As begin(), with fences that begin(), a plan or a flight accepted before, and that did not change since. It does
-  /// not check them again, which takes a look at each corner that three half-spaces may have.
+  /// As begin(), with fences and tracks that begin(), a plan or a flight accepted before, and that did not change
+  /// since. It does not check them again, which takes a look at each corner that three half-spaces may have.
   Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                         Beyond beyond, const ProofGrounds& grounds = {}) noexcept;
   /// The planner's check of a plan or of a part of one, with the planner's hints. `from` as in begin(). The curve must
@@ -103,6 +109,9 @@ class Proof {
   /// and `world` may be null. AskedWorld and PlanHints are types of the library's own, so no one else can call this.
   void begin_plan(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                   const AskedWorld* world, double spare, PlanHints& hints) noexcept;
+  /// Adds tracks to a proof that was begun and not yet gone on with: they were accepted before. The trajectory may come
+  /// nearer by `grant` metres.
+  void watch(const TrackGrounds& tracks, double grant) noexcept;
   /// Goes on as long as work is left. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if
   /// no proof was begun.
   ///
@@ -113,6 +122,8 @@ class Proof {
   Status step(uint32_t work) noexcept;
   /// What is known so far.
   const ProofReport& report() const noexcept { return report_; }
+  /// The first track that the trajectory begins too near to, and is proven to leave; kNoTrack: none.
+  int32_t left() const noexcept { return tracks_.left(); }
 
  private:
   /// One piece of a curve of degree 7 or less.
@@ -147,6 +158,8 @@ class Proof {
   void look_at_piece() noexcept;
   void lose(double u, Finding end) noexcept;
   void end_part() noexcept;
+  void begin_tracks() noexcept;
+  void step_tracks() noexcept;
 
   const Grid* grid_ = nullptr;
   const Trajectory* trajectory_ = nullptr;
@@ -170,6 +183,11 @@ class Proof {
   Voxel pardon_end_{};
   const Fence* fences_ = nullptr;
   int32_t fence_count_ = 0;
+  double from_ = 0.0;
+  bool is_watching_ = false;  // the curve is proven, and the tracks are looked at
+  double track_grant_ = 0.0;
+  TrackGrounds watched_{};
+  TrackProof tracks_;
   int segment_ = 0;
   double begin_ = 0.0;  // when the segment begins, seconds since the trajectory's beginning
   double first_ = 0.0;  // the segment's parameter where its proof begins

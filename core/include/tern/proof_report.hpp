@@ -25,6 +25,8 @@ struct ProofReport {
   int32_t segment = -1;
   /// For kFence, and if Proof::begin() refuses a fence: its index in the list of fences.
   int32_t fence = kNoFence;
+  /// For kTrack, and if TrackProof::begin() refuses a track: its index in the list of tracks. -1: none.
+  int32_t track = -1;
   /// For kVia: its index in Request::vias.
   int32_t via = kNoVia;
   /// 0 position, 1 velocity, 2 acceleration, 3 jerk; 4 for kBodyRate.

@@ -33,7 +33,7 @@ size_t plan_record_bytes(const Voxel& dims) noexcept;
 Status record_plan(const Grid& grid, const Request& request, Status status, const Trajectory& plan, uint8_t* bytes,
                    size_t room, size_t* used) noexcept;
 
-/// The content of a record without the voxels. 24 KB with the profile companion: too large for most stacks. `request`
+/// The content of a record without the voxels. 140 KB with the profile companion: too large for most stacks. `request`
 /// points into this object, so it cannot be copied.
 struct PlanRecord {
   PlanRecord() = default;
@@ -52,13 +52,16 @@ struct PlanRecord {
   Fence fences[kMaxFences] = {};
   Halfspace planes[kMaxFencePlanes] = {};
   Via vias[kMaxVias] = {};
+  Track tracks[kMaxTracks] = {};
+  TrackPiece track_pieces[kMaxTrackPieces] = {};
   Trajectory previous{};
 };
 
 /// Reads a record. kOk; kRecordDamaged if the bytes are no record, too few or too many, or do not have the checksum
 /// that they were written with; kRecordVersion if another version of the format wrote them; kInvalidArgument for a null
 /// pointer. Other answers say that the record needs a capacity that this library does not have: kSegmentsFull,
-/// kFencesFull, kFencePlanesFull or kViasFull. Unless the answer is kOk, `record` has no meaning.
+/// kFencesFull, kFencePlanesFull, kViasFull, kTracksFull or kTrackPiecesFull. Unless the answer is kOk, `record` has no
+/// meaning.
 Status read_plan_record(const uint8_t* bytes, size_t count, PlanRecord& record) noexcept;
 
 /// Reads a record. Then binds `grid` to words of yours, at least grid_words(record.grid.dims) of them, marks the

@@ -12,6 +12,7 @@
 #include "tern/fence.hpp"
 #include "tern/proof_report.hpp"
 #include "tern/status.hpp"
+#include "tern/track.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
 
@@ -89,6 +90,19 @@ struct Report {
   /// If there is no plan: the index in Request::vias of the via that is wrong, or that no plan leads to. kNoVia if the
   /// fault lies with the start, with the way from the last via to the goal, or with no single part of the way.
   int32_t via = kNoVia;
+  /// If `status` is kStartInContact, kGoalCovered or kNoClearTime: the index in Request::tracks of the first one that
+  /// the first plan was not proven clear of. If `field` is kTracks: the index of the track that is wrong. For kOk: the
+  /// first track that the plan begins too near to, and leaves. Else kNoTrack.
+  int32_t track = kNoTrack;
+  /// Only for kStartInContact, kGoalCovered and kNoClearTime: until then the first plan was proven clear of all tracks,
+  /// seconds since its beginning.
+  double conflict = 0.0;
+  /// Until when the plan's end is proven clear of all tracks, seconds since the trajectory's beginning. Infinite if
+  /// that is for longer than kRestHorizon after its end, if there are no tracks, and without a plan.
+  double rest_clear_until = __builtin_inf();
+  /// Seconds that the plan waits at rest before it sets out, for things that move. A plan that waits may also fly more
+  /// slowly than it could.
+  double waits = 0.0;
   /// How the plan passes the vias, one entry each. Entries beyond Request::via_count are zero; without a plan, all of
   /// them are. At vias with equal positions, one after the other, several may have the same time.
   ViaPassage vias[kMaxVias];

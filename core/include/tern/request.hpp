@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "tern/fence.hpp"
+#include "tern/track.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
@@ -126,8 +127,8 @@ struct Request {
   State goal{};
   Limits limits{};
   Budget budget{};
-  /// When the plan begins: nanoseconds of a clock of yours. A new plan carries it as Trajectory::begin. No decision
-  /// depends on it, and any number is accepted.
+  /// When the plan begins: nanoseconds of a clock of yours. A new plan carries it as Trajectory::begin. Nothing else
+  /// depends on it but where the tracks are. Any number is accepted.
   int64_t begin = 0;
   SearchMode search = SearchMode::kFast;
   GoalMode goal_mode = GoalMode::kExact;
@@ -143,6 +144,14 @@ struct Request {
   const Via* vias = nullptr;
   /// 0 .. kMaxVias. Beyond it: kViasFull.
   int32_t via_count = 0;
+
+  /// Things that move: an array of `track_count`, or null with track_count 0. The plan keeps the grid's radius from
+  /// each of their tubes at all times. docs/tracks.md says what is promised and what is not.
+  const Track* tracks = nullptr;
+  /// 0 .. kMaxTracks. Beyond it: kTracksFull.
+  int32_t track_count = 0;
+  /// s, 0 .. kRestHorizon, else kInvalidArgument: for how long the plan's end must stay clear of the tracks.
+  double rest_clear = 0.0;
 
   /// For replanning in flight: the plan that you are flying, or null. If the planner finds no plan, or none that
   /// arrives more than a microsecond earlier, it follows the rest of this one, provided that this is still free on the

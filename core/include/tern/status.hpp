@@ -97,6 +97,17 @@ enum class Status : uint8_t {
   /// Report::via says which.
   kViaTooNarrow = 42,
 
+  /// The start is nearer to a moving thing than it should be, and no plan leads away. Report::track says which.
+  kStartInContact = 43,
+  /// The goal is not clear of a moving thing when the plan arrives, or for Request::rest_clear seconds from then on,
+  /// and
+  /// waiting did not help. Report::track says which, Report::conflict when.
+  kGoalCovered = 44,
+  /// There is a way, but no plan along it that is clear of all moving things was found. Report::track and
+  /// Report::conflict say what the first plan meets, and when. Keep the plan that you have, wait, or choose another
+  /// goal.
+  kNoClearTime = 45,
+
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
   // a coarser grid, or a goal that is nearer.
 
@@ -122,6 +133,9 @@ enum class Status : uint8_t {
   kPixelsFull = 63,
   kPriorFull = 64,   ///< TERN_MAX_PRIOR_BOXES: the map's prior has more boxes, or more cylinders
   kRecordFull = 65,  ///< The room for a record does not suffice. plan_record_bytes() says how much always does.
+
+  kTracksFull = 66,       ///< TERN_MAX_TRACKS: the request has more tracks
+  kTrackPiecesFull = 67,  ///< TERN_MAX_TRACK_PIECES: the tracks have more pieces
 
   // 70 .. 89: the solver or the machine did not hold up.
 
@@ -160,8 +174,9 @@ enum class Stage : uint8_t {
   kPrevious,     ///< proving the rest of Request::previous anew, if nothing new was found
   kStopFirst,    ///< finding ways to come to rest first, if a moving end has no other way
   kReach,        ///< finding the point nearest to the goal that a path leads to, if none leads to the goal
+  kTracks,       ///< finding a time at which the plan is clear of all tracks, if it is not now
 };
-constexpr int kStageCount = 12;
+constexpr int kStageCount = 13;
 
 /// Reasons for which a proof ends, and for which a plan is refused. The numbers are part of the ABI; docs/proof.md has
 /// the rules and tolerances.
@@ -179,6 +194,7 @@ enum class Finding : uint8_t {
   kVia,           ///< a via is missed, out of order, or not passed as it was asked for; plans only
   kPieces,        ///< a segment needs more pieces than kProofPieces
   kBodyRate,      ///< some body rate is beyond its limit
+  kTrack,         ///< closer than the radius to a tube of a thing that moves, or too nearly so to tell
 };
 
 /// The field of a request, a grid, a flight or a call that a status is about. The numbers are part of the ABI; 17 and
@@ -237,6 +253,8 @@ enum class Field : uint8_t {
   kThrustMin,          ///< Limits::thrust_min; with a rate_max, it must be given
   kTiltTangent,        ///< Limits::tilt_tangent
   kRateMax,            ///< Limits::rate_max
+  kTracks,             ///< Request::tracks or track_count, or a track in it
+  kRestClear,          ///< Request::rest_clear
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -47,6 +47,8 @@ typedef tern::Yaw tern_yaw;
 typedef tern::FlatState tern_flat_state;
 typedef tern::StageReport tern_stage_report;
 typedef tern::ProofReport tern_proof_report;
+typedef tern::TrackPiece tern_track_piece;
+typedef tern::Track tern_track;
 typedef tern::HighWater tern_high_water;
 typedef tern::ViaPassage tern_via_passage;
 typedef tern::Diagnostics tern_diagnostics;
@@ -98,6 +100,22 @@ typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } ter
 typedef struct {
   int64_t begin; int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS];
 } tern_trajectory;
+/* A piece of a moving thing's curve, and a thing that moves: tern/track.hpp. World frame; seconds, metres, and
+ * nanoseconds of the clock of tern_request.begin. Zeros in every member are a point that stands still for ever. */
+typedef struct { double duration; tern_vec3 points[8]; /* relative to the track's position */ } tern_track_piece;
+typedef struct {
+  int64_t measured, until;
+  tern_vec3 position, velocity;
+  const tern_track_piece* pieces; /* yours; null for a thing that keeps its velocity */
+  int32_t piece_count;
+  uint32_t id, kind; /* for your own use */
+  uint8_t shape;     /* tern::TrackShape: 0 ball, 1 upright cylinder, 2 box */
+  uint8_t end;       /* tern::TrackEnd, after `until`: 0 goes on, 1 gone, 2 stays, 3 its error grows by `reach` */
+  double radius;     /* of a ball or a cylinder */
+  tern_vec3 half;    /* of a box; z of a cylinder */
+  double error, error_speed, error_growth; /* m, m/s, m/s^2: the error s seconds later is e + es s + eg s^2 / 2 */
+  double reach;      /* m/s; 0: nothing is known */
+} tern_track;
 /* A query: tern/request.hpp. Fill it in after tern_request_init(). You own it and everything that it points to. */
 typedef struct {
   tern_state start, goal;
@@ -111,6 +129,9 @@ typedef struct {
   int32_t fence_count;
   const tern_via* vias; /* points to pass on the way, in order, or null with via_count 0 */
   int32_t via_count;
+  const tern_track* tracks; /* things that move, or null with track_count 0 */
+  int32_t track_count;
+  double rest_clear; /* s: for how long the plan's end must stay clear of the tracks */
   /* For replanning: the plan that is being flown, or null. `start` must be its state at previous_time, as tern_evaluate
    * gives it. It may be the trajectory that the new plan is written to. See tern::Request. */
   const tern_trajectory* previous;
@@ -130,7 +151,7 @@ typedef struct {
 typedef struct {
   double until;    /* seconds since the beginning of the trajectory */
   uint8_t finding; /* TERN_FINDING_..., tern_finding_name() */
-  int32_t segment, fence, via;
+  int32_t segment, fence, track, via;
   int32_t derivative, axis; /* 0 position .. 3 jerk; 0 x, 1 y, 2 z, 3 the horizontal norm */
   tern_voxel voxel;
   double excess; /* by how much more than the proof grants: m, m/s, m/s^2 or m/s^3 */
@@ -144,8 +165,8 @@ typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
 typedef struct {
-  /* request, search, shortcut, corridor, times, trajectory, check, world, detour, previous, stop_first, reach */
-  tern_stage_report stages[12];
+  /* request, search, shortcut, corridor, times, trajectory, check, world, detour, previous, stop_first, reach, tracks */
+  tern_stage_report stages[13];
   bool timing_known; /* the ticks were measured */
   tern_high_water high_water;
   int32_t detours;     /* 0 none, 1 detour, 2 stop first, 3 previous plan */
@@ -167,6 +188,10 @@ typedef struct {
   tern_vec3 reachable;         /* world frame: the point nearest to the goal that a path leads to */
   int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
+  int32_t track; /* index of the track that is wrong, or that the first plan, or the start, is not clear of; -1: none */
+  double conflict;         /* s: when the first plan meets that track */
+  double rest_clear_until; /* s: until when the plan's end is clear of all tracks; infinity */
+  double waits;            /* s at rest before it sets out, for things that move */
   tern_via_passage vias[TERN_MAX_VIAS];
   tern_proof_report check; /* only if status or optimiser is check_failed */
   double finer_cell; /* m, only for TERN_*_TOO_NARROW: a voxel's edge that would do; 0 if none is known */
@@ -214,6 +239,9 @@ typedef enum {
   TERN_START_TOO_NARROW = 40,
   TERN_GOAL_TOO_NARROW = 41,
   TERN_VIA_TOO_NARROW = 42,
+  TERN_START_IN_CONTACT = 43,
+  TERN_GOAL_COVERED = 44,
+  TERN_NO_CLEAR_TIME = 45,
   /* A capacity ran out. */
   TERN_NODES_FULL = 50,
   TERN_OPEN_FULL = 51,
@@ -230,6 +258,8 @@ typedef enum {
   TERN_PIXELS_FULL = 63,
   TERN_PRIOR_FULL = 64,
   TERN_RECORD_FULL = 65,
+  TERN_TRACKS_FULL = 66,
+  TERN_TRACK_PIECES_FULL = 67,
   /* The solver or the machine did not hold up. */
   TERN_INFEASIBLE = 70,
   TERN_NUMERICAL = 71,
@@ -319,8 +349,9 @@ static inline uint64_t tern_header_hash(void) {
   const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,       TERN_MAX_OPEN,
                              TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,      TERN_MAX_LOCAL_BOXES,
                              TERN_MAX_ACTIVE,       TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES,   TERN_MAX_FENCES,
-                             TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,          TERN_MAX_WORLD_WORDS, TERN_MAX_PIXELS,
-                             TERN_MAX_PRIOR_BOXES,  TERN_MAX_YAW_PIECES,    0x112e0be826d695u,    0x1999999999999au};
+                             TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,          TERN_MAX_TRACKS,      TERN_MAX_TRACK_PIECES,
+                             TERN_MAX_WORLD_WORDS,  TERN_MAX_PIXELS,        TERN_MAX_PRIOR_BOXES, TERN_MAX_YAW_PIECES,
+                             0x112e0be826d695u,     0x1999999999999au};
   uint64_t hash = 0xCBF29CE484222325u;
   for (size_t i = 0; i < sizeof values / sizeof *values; ++i) hash = (hash ^ values[i]) * 0x100000001B3u;
   return hash;
@@ -344,6 +375,10 @@ uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* co
 /* Sets the default budget (no limit but the bounds of the stages) and time weight, and everything else to zero. Null is
  * allowed and does nothing. */
 void tern_request_init(tern_request* request);
+/* Another vehicle's trajectory as a track: tern::track_of, tern/track.hpp. `pieces` has room for `room` pieces and must
+ * stay as long as the track is used. ok, invalid_argument or track_pieces_full. */
+uint8_t tern_track_of(const tern_trajectory* trajectory, double radius, tern_track_piece* pieces, int32_t room,
+                      tern_track* track);
 /* Writes the six half-spaces of a box, for a fence that is a box. In the frame of the box. Null does nothing. */
 void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]);
 /* Plans in one call. The grid must be inflated. With ok, `trajectory` is the plan; with any other answer, it is

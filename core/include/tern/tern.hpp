@@ -20,6 +20,8 @@
 #include "tern/record.hpp"
 #include "tern/self_test.hpp"
 #include "tern/status.hpp"
+#include "tern/track.hpp"
+#include "tern/track_proof.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/yaw.hpp"
 

@@ -40,6 +40,8 @@ constexpr size_t kReach = static_cast<size_t>(kMaxWorldWords) * 12 + static_cast
 constexpr size_t kFencePlanes = kMaxFencePlanes;
 constexpr size_t kFences =
     kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxWorldWords) * 8 + 1024;
+/// Tracks, as they were given, and their pieces.
+constexpr size_t kTracks = static_cast<size_t>(kMaxTracks) * 160 + static_cast<size_t>(kMaxTrackPieces) * 200 + 3072;
 /// The corridor: the solid boxes around one segment, and the scratch memory to merge and measure them.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
@@ -53,7 +55,7 @@ constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegme
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 117 kB for the profile tiny, 336 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Bytes that a planner needs: 121 kB for the profile tiny, 342 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
 /// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
 /// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
@@ -63,7 +65,7 @@ constexpr size_t kWorkspaceBytes =
     (workspace::larger(
          workspace::larger(workspace::kSearch, workspace::kReach),
          workspace::larger(workspace::larger(workspace::kCorridor, workspace::kCheck), workspace::kTrajectory)) +
-     workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
+     workspace::kResults + workspace::kFences + workspace::kTracks + 2 * kWorkspaceAlignment - 1) /
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 

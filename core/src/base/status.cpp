@@ -36,6 +36,9 @@ const char* status_name(Status status) noexcept {
     case Status::kStartTooNarrow: return "start_too_narrow";
     case Status::kGoalTooNarrow: return "goal_too_narrow";
     case Status::kViaTooNarrow: return "via_too_narrow";
+    case Status::kStartInContact: return "start_in_contact";
+    case Status::kGoalCovered: return "goal_covered";
+    case Status::kNoClearTime: return "no_clear_time";
     case Status::kViaFenced: return "via_fenced";
     case Status::kNodesFull: return "nodes_full";
     case Status::kOpenFull: return "open_full";
@@ -50,6 +53,8 @@ const char* status_name(Status status) noexcept {
     case Status::kPixelsFull: return "pixels_full";
     case Status::kPriorFull: return "prior_full";
     case Status::kRecordFull: return "record_full";
+    case Status::kTracksFull: return "tracks_full";
+    case Status::kTrackPiecesFull: return "track_pieces_full";
     case Status::kWorkingSetFull: return "working_set_full";
     case Status::kIterationLimit: return "iteration_limit";
     case Status::kInfeasible: return "infeasible";
@@ -90,6 +95,9 @@ const char* status_meaning(Status status) noexcept {
     case Status::kNoTrajectory: return "no trajectory within the limits leaves or reaches the moving boundary state, or has the velocity that a via asks for";
     case Status::kStartTooNarrow: return "the free space around the start is narrower than a voxel";
     case Status::kGoalTooNarrow: return "the free space around the goal is narrower than a voxel";
+    case Status::kStartInContact: return "the start is too near to a moving thing, and no plan leads away from it";
+    case Status::kGoalCovered: return "a moving thing is at the goal when the plan arrives, or soon after";
+    case Status::kNoClearTime: return "no plan was found that is clear of all moving things: wait, or choose another goal";
     case Status::kViaTooNarrow: return "the free space around a via is narrower than a voxel";
     case Status::kViaOccupied: return "a via is closer to an obstacle than the radius";
     case Status::kViaFenced: return "a via is outside a keep-in, or nearer than the radius to a keep-out";
@@ -106,6 +114,8 @@ const char* status_meaning(Status status) noexcept {
     case Status::kViasFull: return "too many vias: raise TERN_MAX_VIAS";
     case Status::kPixelsFull: return "too many pixels for the map: raise MapSpec::pixels or TERN_MAX_PIXELS";
     case Status::kPriorFull: return "too many boxes known beforehand: raise TERN_MAX_PRIOR_BOXES";
+    case Status::kTracksFull: return "too many tracks: raise TERN_MAX_TRACKS";
+    case Status::kTrackPiecesFull: return "too many pieces of tracks: raise TERN_MAX_TRACK_PIECES";
     case Status::kRecordFull: return "the room for the record does not suffice";
     case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
     case Status::kWorkingSetFull: return "too many constraints active at once: raise TERN_MAX_ACTIVE";
@@ -136,6 +146,7 @@ const char* stage_name(Stage stage) noexcept {
     case Stage::kPrevious: return "previous";
     case Stage::kStopFirst: return "stop_first";
     case Stage::kReach: return "reach";
+    case Stage::kTracks: return "tracks";
   }
   return "unknown";
 }
@@ -155,6 +166,7 @@ const char* finding_name(Finding finding) noexcept {
     case Finding::kBoundary: return "boundary state";
     case Finding::kPieces: return "pieces";
     case Finding::kBodyRate: return "body rate";
+    case Finding::kTrack: return "track";
   }
   return "unknown";
 }
@@ -189,6 +201,8 @@ const char* field_name(Field field) noexcept {
     case Field::kThrustMin: return "thrust_min";
     case Field::kTiltTangent: return "tilt_tangent";
     case Field::kRateMax: return "rate_max";
+    case Field::kTracks: return "tracks";
+    case Field::kRestClear: return "rest_clear";
     case Field::kVHorizontal: return "v_horizontal";
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";

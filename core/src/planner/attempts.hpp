@@ -10,6 +10,7 @@
 #include "planner/detour.hpp"
 #include "planner/follow.hpp"
 #include "planner/legs.hpp"
+#include "planner/moving.hpp"
 #include "planner/nearest_point.hpp"
 #include "planner/stop_first.hpp"
 #include "tern/status.hpp"
@@ -34,6 +35,7 @@ struct Attempts {
   Follow follow;
   StopFirst stop_first;
   NearestPoint nearest;
+  Waiting waiting;
 };
 
 /// Why there is no plan.

@@ -9,6 +9,7 @@
 #include "path/shortcut_stage.hpp"
 #include "planner/curves.hpp"
 #include "planner/end_stop.hpp"
+#include "planner/moving.hpp"
 #include "planner/pipeline.hpp"
 #include "planner/previous.hpp"
 #include "planner/vias.hpp"
@@ -39,6 +40,7 @@ struct Layout {
   EndStop stops[2];  ///< the start's and the goal's
   Previous previous;
   AskedWorld asked;  ///< the request's fences, for the check
+  AskedTracks tracks;
   WorldMemory world;
   union {
     SearchStage search;

@@ -22,6 +22,7 @@ Times times_of(const Problem& problem) {
   times.searches = times.goals * (problem.given_at_rest ? 1 : 1 + kStopFirstTries);
   times.corridors = times.goals * (problem.given_at_rest ? 1 : 2 + kStopFirstTries);
   times.checks = times.corridors + times.goals * (problem.asked.previous != nullptr ? 3 : 1);
+  if (problem.track_count > 0) times.checks *= 2;  // a plan that waits is checked again
   return times;
 }
 
@@ -38,6 +39,7 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searche
     case Stage::kTrajectory:
       return times.corridors + times.goals;
     case Stage::kCheck:
+    case Stage::kTracks:
       return times.checks;
     case Stage::kWorld:
     case Stage::kReach:
@@ -79,6 +81,7 @@ Account account_of(Stage stage, const Budget& budget) {
     case Stage::kWorld:
     case Stage::kTimes:
     case Stage::kCheck:
+    case Stage::kTracks:
       break;
   }
   return {kNoBudget, {}};
@@ -101,6 +104,7 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   is_bound_ = true;
   const StageBound bound = stage_bound(stage, problem.grid->spec());
   entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
+  if (stage == Stage::kCheck) entry.bound += tracks_bound(problem.track_count).units(times_of(problem).checks);
   const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;
   const std::uint64_t within = budget + static_cast<std::uint64_t>(bound.piece) / kUnit + 1;
   if (budget != kNoBudget && within < entry.bound) entry.bound = within;

@@ -28,6 +28,8 @@ struct StageBound {
 };
 
 StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept;
+/// Of the proof of one plan against so many tracks.
+StageBound tracks_bound(std::int32_t count) noexcept;
 
 /// The caller's clock; none if `now` is null.
 struct Clock {

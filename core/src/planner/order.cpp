@@ -34,6 +34,8 @@ void Pipeline::begin_goal() noexcept {
   attempts_.current = Attempt::kDirect;
   attempts_.detour = {};
   attempts_.stop_first = {};
+  attempts_.waiting.is_tried = false;
+  conflict_ = {};
   attempts_.follow.is_trial = attempts_.follow.leads_plan = false;
   take_ends(problem_, memory.ends);
   for (EndStop& stop : memory.stops) reset(stop);
@@ -87,6 +89,8 @@ void Pipeline::go_on(bool done) noexcept {
       return go_on_from_stop(done);
     case Stage::kReach:
       return go_on_from_nearest(done);
+    case Stage::kTracks:
+      return go_on_from_tracks(done);
     case Stage::kRequest:
       break;
   }
@@ -119,6 +123,7 @@ void Pipeline::go_on_from_trajectory(bool done) noexcept {
   Layout& memory = *memory_;
   quality_ = curves_.quality;
   optimiser_ = curves_.optimiser;
+  attempts_.waiting = {};
   if (!done) return fail(Stage::kTrajectory, curves_.status);
   if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
     enter(Stage::kCheck);
@@ -134,15 +139,30 @@ void Pipeline::go_on_from_check(bool done) noexcept {
   if (attempts_.follow.is_trial) return end_trial(done);
   if (!done) {
     refused_ = memory.stage.check.found;
+    left_ = memory.stage.check.proof.left();
+    if (refused_.finding == Finding::kTrack) return meet_track();
     const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
     return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
   }
+  left_ = memory.stage.check.proof.left();
+  rest_until_ = rest_clear_until(memory.stage.check);
   if (follows() || !prefers_remainder(attempts_.follow, memory.trajectory)) {
     end(Stage::kCheck, Status::kOk);
     return;
   }
   optimiser_ = Status::kOk;
   enter(Stage::kPrevious);
+}
+
+/// The check has refused the plan because of a track: time may help.
+void Pipeline::meet_track() noexcept {
+  if (conflict_.status == Status::kOk) conflict_ = conflict_of(refused_, left_);
+  attempts_.waiting.is_tried || follows() ? go_on_from_tracks(false) : enter(Stage::kTracks);
+}
+
+void Pipeline::go_on_from_tracks(bool done) noexcept {
+  if (done) return enter(Stage::kCheck);
+  fail(Stage::kTracks, conflict_.status);
 }
 
 /// A remainder that ends elsewhere than at the goal takes the place of the start's stop. If it has no room, the reason
@@ -190,6 +210,7 @@ void Pipeline::end_trial(bool proven) noexcept {
 void Pipeline::check_as_is(Quality quality, Attempt attempt) noexcept {
   quality_ = quality;
   attempts_.current = attempt;
+  attempts_.waiting = {};
   results_ = {};
   enter(Stage::kCheck);
 }

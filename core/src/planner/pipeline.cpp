@@ -3,6 +3,7 @@
 #include "planner/pipeline.hpp"
 
 #include "base/capacity.hpp"
+#include "base/track_fault.hpp"
 #include "planner/hints.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
@@ -46,7 +47,15 @@ CheckQuery check_query(const Problem& problem, const Layout& memory, double ente
   query.vias = problem.vias;
   query.joints = memory.vias.joint;
   query.via_count = problem.via_count;
+  query.tracks = problem.tracks;
+  query.track_count = problem.track_count;
+  query.rest = asked.rest_clear;
   return query;
+}
+
+/// What plans must be clear of.
+TrackGrounds tracks_of(const Problem& problem) {
+  return {problem.tracks, problem.track_count, problem.grid->spec().clearance(), problem.asked.rest_clear, true};
 }
 
 /// The check of the whole plan, with hints for it.
@@ -101,6 +110,15 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   RequestFault fault{};
   const Verdict vias = validate_vias(*problem_.grid, request, problem_.limits, fault.via);
   if (vias.status != Status::kOk) return refuse({vias.status, vias.field, kNoSolid, fault.via});
+  const TrackFault of_track = find_track_fault(request.tracks, request.track_count);
+  if (of_track.status != Status::kOk) {
+    return refuse({of_track.status, Field::kTracks, kNoSolid, kNoVia, of_track.track});
+  }
+  const Verdict tracks = validate_tracks(request);
+  if (tracks.status != Status::kOk) return refuse({tracks.status, tracks.field});
+  copy_tracks(request.tracks, request.track_count, memory.tracks, begun_);
+  problem_.tracks = memory.tracks.track;
+  problem_.track_count = request.track_count;
   for (std::int32_t v = 0; v < request.via_count; ++v) memory.vias.vias[v] = request.vias[v];
   memory.vias.marks.count = request.via_count;
   problem_.vias = memory.vias.vias;
@@ -166,6 +184,8 @@ void Pipeline::enter(Stage stage) noexcept {
       return stop_first_begin(problem_, attempts_.stop_first, m.stops);
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
+    case Stage::kTracks:
+      return waiting_begin(problem_, m.stops, conflict_, m.trajectory, m.vias, attempts_.waiting);
     case Stage::kRequest:
     case Stage::kWorld:
       break;
@@ -199,6 +219,8 @@ Progress Pipeline::run(Work& work) noexcept {
       return stop_first_advance(problem_, room_of(problem_, m), attempts_.stop_first, m.stops, m.ends, work);
     case Stage::kReach:
       return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
+    case Stage::kTracks:
+      return waiting_advance(tracks_of(problem_), m.trajectory, attempts_.waiting, conflict_, work);
     case Stage::kRequest:
       break;
   }
@@ -233,6 +255,7 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
     case Stage::kDetour:
     case Stage::kPrevious:
     case Stage::kStopFirst:
+    case Stage::kTracks:
       break;
   }
   return Progress::kFailed;

@@ -78,6 +78,8 @@ class Pipeline {
   void go_on_from_previous(bool done) noexcept;
   void go_on_from_stop(bool done) noexcept;
   void go_on_from_nearest(bool done) noexcept;
+  void meet_track() noexcept;
+  void go_on_from_tracks(bool done) noexcept;
   void end_trial(bool proven) noexcept;
   void check_as_is(Quality quality, Attempt attempt) noexcept;
   void stop_at_waypoints(Status why) noexcept;
@@ -101,6 +103,9 @@ class Pipeline {
   Legs legs_{};
   Rooms rooms_{};
   Curves curves_{};
+  Conflict conflict_{};           // what the first plan met
+  std::int32_t left_ = kNoTrack;  // the first track that the plan begins too near to
+  double rest_until_ = __builtin_inf();
   ProofReport refused_{};             // why the check refused the last plan that it refused
   Quality quality_ = Quality::kNone;  // of the trajectory in memory
   Status optimiser_ = Status::kOk;    // how optimising that trajectory ended

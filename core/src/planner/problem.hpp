@@ -13,6 +13,7 @@
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
+#include "tern/track.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
@@ -28,6 +29,8 @@ struct Problem {
   const WorldMemory* world;  ///< the memory of the world: see world_of()
   const Via* vias;           ///< world frame
   std::int32_t via_count;
+  const Track* tracks;  ///< the certifier's, and no one else's
+  std::int32_t track_count;
   MotionLimits limits;
   Request asked;       ///< the request; its pointers are not followed again
   Status goal_fault;   ///< kGoalFenced: only the reachable point is left to look for; else kOk
@@ -42,6 +45,7 @@ struct RequestFault {
   Field field;
   std::int32_t fence = kNoFence;  ///< index in Request::fences
   std::int32_t via = kNoVia;      ///< index in Request::vias
+  std::int32_t track = kNoTrack;  ///< index in Request::tracks
 };
 
 /// The ends that the search joins: the request's, or the places at which the plan stops first. The states are relative

@@ -44,9 +44,17 @@ void Pipeline::write(Report& report) const noexcept {
   report.stage = ended_in_;
   report.field = fault_.field;
   report.fence = fault_.fence;
+  report.track = fault_.track;
   if (status_ != Status::kOk) write_failure(failure_, status_, report);
   if (planned) report.quality = quality_;
   if (planned) report.entered = entered();
+  if (planned) report.track = left_;
+  if (planned) report.rest_clear_until = rest_until_;
+  if (planned) report.waits = attempts_.waiting.waits;
+  if (status_ != Status::kOk && status_ == conflict_.status) {
+    report.track = conflict_.track;
+    report.conflict = conflict_.until;
+  }
   if (planned) write_passages(problem_, memory_->vias, memory_->trajectory, report.vias);
   report.optimiser = optimiser_;
   if (status_ == Status::kCheckFailed || optimiser_ == Status::kCheckFailed) report.check = refused_;

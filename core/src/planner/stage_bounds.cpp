@@ -9,6 +9,7 @@
 #include "planner/end_stop.hpp"
 #include "planner/hints.hpp"
 #include "planner/ledger.hpp"
+#include "planner/moving.hpp"
 #include "planner/previous.hpp"
 #include "prove/check_stage.hpp"
 #include "qp/operations.hpp"
@@ -150,10 +151,18 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
       return room_bound(spec, std::uint64_t{2 * kStoppingChoices + kArrivals} * kStoppingSegments);
     case Stage::kReach:
       return reach_bound(spec);
+    case Stage::kTracks: {
+      const StageBound proof = tracks_bound(kMaxTracks);
+      return {(kWaitingTries + 2) * (proof.pieces + 1), proof.piece + ops::kCurve * kMaxSegments};
+    }
     case Stage::kRequest:
       break;
   }
   return {0, 0};
+}
+
+StageBound tracks_bound(std::int32_t count) noexcept {
+  return {count > 0 ? track_bound(count) : 0, kTrackOperations};
 }
 
 }  // namespace tern

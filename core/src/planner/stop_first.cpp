@@ -57,6 +57,9 @@ bool stop_first_may_help(const Problem& problem, const StopFirst& stop_first, St
     case Status::kNoTrajectory:
     case Status::kCorridorBlocked:
       return true;
+    case Status::kNoClearTime:
+    case Status::kGoalCovered:
+    case Status::kStartInContact:
     case Status::kStartTooNarrow:
       return !at_rest(problem.asked.start);
     case Status::kGoalTooNarrow:

@@ -174,6 +174,12 @@ std::uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const
   return code(object(planner).begin(object(grid), *request));
 }
 
+std::uint8_t tern_track_of(const tern_trajectory* trajectory, double radius, tern_track_piece* pieces,
+                           std::int32_t room, tern_track* track) {
+  if (trajectory == nullptr || track == nullptr) return kInvalid;
+  return code(tern::track_of(*trajectory, radius, pieces, room, *track));
+}
+
 void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]) {
   if (box == nullptr || planes == nullptr) return;
   tern::Halfspace out[tern::kBoxPlanes];

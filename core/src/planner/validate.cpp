@@ -173,6 +173,9 @@ bool in_map(const Grid& grid, const Vec3& world) {
   return true;
 }
 
+/// s: a previous plan is at most this far from the clock that the tracks have.
+constexpr double kClockSlack = 1e-6;
+
 Status check_via(const Grid& grid, const Via& via, const MotionLimits& limits) {
   if (!finite(via.position) || !finite(via.tolerance) || !finite(via.dwell)) return Status::kNonFiniteInput;
   if (via.has_velocity && !finite(via.velocity)) return Status::kNonFiniteInput;
@@ -206,6 +209,15 @@ Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits)
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
   return check_states(request, limits);
+}
+
+Verdict validate_tracks(const Request& request) noexcept {
+  if (!finite(request.rest_clear)) return {Status::kNonFiniteInput, Field::kRestClear};
+  const bool fits = request.rest_clear >= 0.0 && request.rest_clear <= kRestHorizon;
+  if (!fits) return {Status::kInvalidArgument, Field::kRestClear};
+  if (request.track_count == 0 || request.previous == nullptr) return kAccepted;
+  const double apart = request.previous_time - time_on(*request.previous, request.begin);
+  return absolute(apart) <= kClockSlack ? kAccepted : Verdict{Status::kInvalidArgument, Field::kPrevious};
 }
 
 Verdict validate_vias(const Grid& grid, const Request& request, const MotionLimits& limits,

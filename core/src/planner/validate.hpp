@@ -29,6 +29,9 @@ inline bool dwell_valid(const Via& via) noexcept {
   return via.dwell >= 0.0 && via.dwell <= kMaxDwell && (via.stop || !(via.dwell > 0.0));
 }
 
+/// Validates what a request says about tracks, besides the tracks.
+Verdict validate_tracks(const Request& request) noexcept;
+
 /// Validates the vias of a request that is valid otherwise. `via` receives the index of the one that is wrong, or
 /// kNoVia.
 Verdict validate_vias(const Grid& grid, const Request& request, const MotionLimits& limits, std::int32_t& via) noexcept;

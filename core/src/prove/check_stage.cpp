@@ -13,6 +13,8 @@ namespace tern {
 namespace {
 
 /// Operations at a joint: both curves and their derivatives at one end.
+/// Half of what other curves are granted.
+constexpr double kPlanTrackGrant = 0.5 * kTrackTolerance;
 constexpr Operations kEndOperations = ops::kPiece + 2 * ops::kCurve;
 
 bool refuse(Finding finding, std::int32_t segment, ProofReport& found) {
@@ -56,6 +58,22 @@ void begin_curve(CheckStage& stage, const Grid& grid, const Trajectory& trajecto
   stage.phase = CheckPhase::kCurve;
 }
 
+/// What the plan must be clear of for so many seconds at its end.
+TrackGrounds grounds_of(const Grid& grid, const CheckQuery& query, double rest) {
+  return {query.tracks, query.track_count, grid.spec().clearance(), rest, true};
+}
+
+/// Begins the proof of how long the plan may rest at its end.
+void begin_rest(CheckStage& stage, const Grid& grid, const Trajectory& trajectory, const CheckQuery& query) {
+  stage.phase = CheckPhase::kRest;
+  stage.at_end.begin_accepted(trajectory, duration(trajectory), __builtin_inf(), kPlanTrackGrant,
+                              grounds_of(grid, query, kRestHorizon));
+}
+
+Progress prove_rest(CheckStage& stage, Work& work) {
+  return stage.at_end.step(work) == Status::kRunning ? Progress::kMore : Progress::kDone;
+}
+
 /// Goes on with the proof of the curve.
 Progress prove_curve(CheckStage& stage, Work& work) {
   if (stage.proof.step(work) == Status::kRunning) return Progress::kMore;
@@ -80,6 +98,7 @@ void check_begin(CheckStage& stage) noexcept {
   stage.status = Status::kOk;
   stage.phase = CheckPhase::kBegin;
   stage.next = 0;
+  new (&stage.at_end) TrackProof;
   stage.found = ProofReport{};
   stage.hints.hinted = stage.hints.solid = 0;
 }
@@ -94,11 +113,13 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
                        const CheckQuery& query, Work& work) noexcept {
   if (stage.phase == CheckPhase::kBegin) {
     begin_curve(stage, grid, trajectory, &query.limits, query.entered, query.world, 0.0, &corridor);
+    stage.proof.watch(grounds_of(grid, query, query.rest), kPlanTrackGrant);
   }
   if (stage.phase == CheckPhase::kCurve) {
     const Progress proven = prove_curve(stage, work);
     if (proven != Progress::kDone) return proven;
   }
+  if (stage.phase == CheckPhase::kRest) return prove_rest(stage, work);
   for (; stage.next < trajectory.count; ++stage.next) {
     if (!work.left()) return Progress::kMore;
     work.spend(kEndOperations);
@@ -106,7 +127,15 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
       return conclude(Status::kCheckFailed, stage.status);
     }
   }
-  return conclude(vias_met(grid, trajectory, query, stage.found) ? Status::kOk : Status::kCheckFailed, stage.status);
+  if (!vias_met(grid, trajectory, query, stage.found)) return conclude(Status::kCheckFailed, stage.status);
+  if (query.track_count == 0) return Progress::kDone;
+  begin_rest(stage, grid, trajectory, query);
+  return prove_rest(stage, work);
+}
+
+double rest_clear_until(const CheckStage& stage) noexcept {
+  const ProofReport& found = stage.at_end.report();
+  return found.finding == Finding::kTrack ? found.until : __builtin_inf();
 }
 
 }  // namespace tern

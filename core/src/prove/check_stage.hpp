@@ -25,6 +25,13 @@ namespace tern {
 /// Pieces of work of one check: pieces of each segment's position of its three derivatives and of its body rates, and
 /// the joints.
 constexpr std::uint32_t kCheckBound = kMaxSegments * (5u * (kProofPieces + 1) + 1u) + 1u;
+/// The same of the proof against tracks: a stretch for each segment and what lies between, of each track, and for each
+/// piece of a track; the plan's rest may be proven twice.
+constexpr std::uint64_t track_bound(std::int32_t count) noexcept {
+  return 2 * (static_cast<std::uint64_t>(count) * (kMaxSegments + 8) + kMaxTrackPieces) * (kTrackPieces + 2);
+}
+/// The most operations of one of its pieces: three tubes, or the next stretch with its own.
+constexpr Operations kTrackOperations = 8 * ops::kCurve + 2 * ops::kPiece;
 /// The most operations of one of them.
 Operations check_piece_operations(const GridSpec& spec) noexcept;
 
@@ -39,9 +46,12 @@ struct CheckQuery {
   const std::int32_t* joints = nullptr;  ///< for each via, the segment that begins where the plan passes it, or the
                                          ///< number of segments
   std::int32_t via_count = 0;
+  const Track* tracks = nullptr;
+  std::int32_t track_count = 0;
+  double rest = 0.0;  ///< s: for how long the plan's end must be clear of the tracks
 };
 
-enum class CheckPhase : std::uint8_t { kBegin, kCurve, kJoints };
+enum class CheckPhase : std::uint8_t { kBegin, kCurve, kJoints, kRest };
 
 /// A check of a whole plan, or of a part of one. Plain data; needs no initialisation before check_begin.
 struct CheckStage {
@@ -49,6 +59,7 @@ struct CheckStage {
   CheckPhase phase;
   std::int32_t next;  ///< the next segment whose joint is looked at
   Proof proof;
+  TrackProof at_end;  ///< of the plan's end: for how long it may rest there
   ProofReport found;  ///< why the stage failed
   PlanHints hints;
 };
@@ -64,6 +75,10 @@ Progress room_advance(CheckStage& stage, const Grid& grid, const Trajectory& par
 /// kDone, or kFailed with the reason in `stage`. Reads its arguments only. The corridor may be empty, or wrong.
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept;
+
+/// Of a check that is done: until when the plan's end is clear of the tracks, s since the trajectory's beginning, or
+/// infinity.
+double rest_clear_until(const CheckStage& stage) noexcept;
 
 /// True if the plan passes the vias at query.joints, in order, within each tolerance, and at rest or with the velocity
 /// that the via asks for. If not, `found` receives the reason.

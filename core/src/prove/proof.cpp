@@ -5,6 +5,7 @@
 #include "base/capacity.hpp"
 #include "base/fence_fault.hpp"
 #include "base/math.hpp"
+#include "base/track_fault.hpp"
 #include "base/work.hpp"
 #include "prove/allowed.hpp"
 #include "prove/bernstein.hpp"
@@ -44,15 +45,20 @@ Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from,
   const Status begun = begin_accepted(grid, trajectory, from, limits, beyond, grounds);
   if (begun != Status::kRunning) return begun;
   const FenceFault fault = find_fence_fault(grounds.fences, grounds.fence_count, grid.spec());
-  if (fault.status == Status::kOk) return begun;
+  const TrackFault of_track = find_track_fault(grounds.tracks, grounds.track_count);
+  if (fault.status == Status::kOk && of_track.status == Status::kOk) return begun;
   refuse(from);
   report_.fence = fault.fence;
-  return fault.status;
+  if (fault.status != Status::kOk) return fault.status;
+  report_.track = of_track.track;
+  return of_track.status;
 }
 
 /// Resets the report: nothing is proven, and there is nothing to do.
 void Proof::refuse(double from) noexcept {
-  running_ = false;
+  running_ = is_watching_ = false;
+  watched_ = TrackGrounds{};
+  from_ = from;
   slice_ = Work{};
   spent_ = 0;
   report_ = ProofReport{};
@@ -76,6 +82,8 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   fence_count_ = grounds.fence_count;
   pardoned_ = nullptr;
   if (grounds.alarm != nullptr) pardon(*grounds.alarm);
+  watched_ = {grounds.tracks, grounds.track_count, grid.spec().clearance(), 0.0, has_departed_};
+  track_grant_ = kTrackTolerance;
   enter(trajectory);
   return Status::kRunning;
 }
@@ -94,6 +102,28 @@ void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, double fr
   fences_ = world != nullptr ? world->fence : nullptr;
   fence_count_ = world != nullptr ? world->count : 0;
   if (trajectory.count >= 1 && trajectory.count <= kMaxSegments) enter(trajectory);
+}
+
+void Proof::watch(const TrackGrounds& tracks, double grant) noexcept {
+  watched_ = tracks;
+  track_grant_ = grant;
+}
+
+/// The curve is proven until report_.until. Against the tracks, no more needs to be.
+void Proof::begin_tracks() noexcept {
+  is_watching_ = watched_.count > 0 && report_.finding != Finding::kMalformed;
+  if (!is_watching_) return;
+  const bool is_whole = report_.finding == Finding::kNone;
+  tracks_.begin_accepted(*trajectory_, from_, is_whole ? __builtin_inf() : report_.until, track_grant_, watched_);
+}
+
+/// Goes on with the tracks. What ends that proof ends this one.
+void Proof::step_tracks() noexcept {
+  if (tracks_.step(*work_) == Status::kRunning) return;
+  is_watching_ = false;
+  const ProofReport& found = tracks_.report();
+  if (found.finding != Finding::kTrack) return;
+  report_ = found;
 }
 
 void Proof::take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept {
@@ -265,7 +295,7 @@ void Proof::end_part() noexcept {
     running_ = false;
     const double until = lost_ < 1.0 ? begin_ + lost_ * segment.duration : end;
     report_.until = larger(report_.until, smaller(until, end));
-    return;
+    return begin_tracks();
   }
   report_.until = begin_ = end;
   first_ = 0.0;
@@ -278,10 +308,11 @@ Status Proof::step(Work& work) noexcept {
   const Operations before = work.operations();
   work_ = &work;
   while (running_ && (height_ == 0 || work.left())) height_ == 0 ? end_part() : look_at_piece();
+  if (is_watching_) step_tracks();
   work_ = nullptr;
   spent_ += before - work.operations();
   report_.work = static_cast<uint32_t>((spent_ + kUnit - 1) / kUnit);
-  return running_ ? Status::kRunning : Status::kOk;
+  return running_ || is_watching_ ? Status::kRunning : Status::kOk;
 }
 
 Status Proof::step(uint32_t work) noexcept {

@@ -4,6 +4,7 @@
 #include "record/fences.hpp"
 #include "record/fields.hpp"
 #include "record/obstacles.hpp"
+#include "record/tracks.hpp"
 #include "tern/record.hpp"
 
 namespace tern {
@@ -12,7 +13,8 @@ namespace {
 constexpr std::size_t kTrajectoryFields = 5 + kSegmentFields * static_cast<std::size_t>(kMaxSegments);
 
 constexpr std::size_t kRequestFields = 2 * kStateFields + kLimitFields + kSettingFields + kFencesFields + 1 +
-                                       kViaFields * static_cast<std::size_t>(kMaxVias) + 1 + kTrajectoryFields;
+                                       kViaFields * static_cast<std::size_t>(kMaxVias) + 1 + kTrajectoryFields +
+                                       kTracksFields + 1;
 /// The most words of a record without the obstacles. The status and the plan are last of them.
 constexpr std::size_t kFields = kEnvelopeWords + kGridFields + kRequestFields + 1 + kTrajectoryFields;
 
@@ -29,7 +31,16 @@ bool trajectory_fits(const Trajectory& trajectory) {
 
 bool can_be_written(const Request& request) {
   return fences_fit(request.fences, request.fence_count) && is_count(request.via_count, kMaxVias, request.vias) &&
+         tracks_fit(request.tracks, request.track_count) &&
          (request.previous == nullptr || trajectory_fits(*request.previous));
+}
+
+/// What follows the vias: a sum of these.
+constexpr std::int32_t kHasPrevious = 1;
+constexpr std::int32_t kHasTracks = 2;
+
+bool asks_for_tracks(const Request& request) {
+  return request.track_count > 0 || request.rest_clear > 0.0;
 }
 
 void write_request(const Request& request, WordWriter& words) {
@@ -40,8 +51,11 @@ void write_request(const Request& request, WordWriter& words) {
   write_fences(request.fences, request.fence_count, words);
   words(request.via_count);
   for (std::int32_t v = 0; v < request.via_count; ++v) list_via(words, request.vias[v]);
-  words(request.previous != nullptr);
+  words((request.previous != nullptr ? kHasPrevious : 0) + (asks_for_tracks(request) ? kHasTracks : 0));
   if (request.previous != nullptr) write_trajectory(*request.previous, words);
+  if (!asks_for_tracks(request)) return;
+  words(request.rest_clear);
+  write_tracks(request.tracks, request.track_count, words);
 }
 
 Status read_trajectory(WordReader& words, Trajectory& trajectory) {
@@ -64,11 +78,20 @@ Status read_vias(WordReader& words, PlanRecord& record) {
   return status;
 }
 
-Status read_previous(WordReader& words, PlanRecord& record) {
-  bool is_there = false;
-  words(is_there);
-  record.request.previous = is_there ? &record.previous : nullptr;
-  return is_there ? read_trajectory(words, record.previous) : Status::kOk;
+/// The previous plan and the tracks, if there are any.
+Status read_rest(WordReader& words, PlanRecord& record) {
+  std::int32_t follows = 0;
+  Status status = read_count(words, kHasPrevious + kHasTracks, Status::kRecordDamaged, follows);
+  if (status != Status::kOk) return status;
+  Request& request = record.request;
+  if ((follows & kHasPrevious) != 0) {
+    request.previous = &record.previous;
+    status = read_trajectory(words, record.previous);
+  }
+  if ((follows & kHasTracks) == 0 || status != Status::kOk) return status;
+  words(request.rest_clear);
+  request.tracks = record.tracks;
+  return read_tracks(words, record.tracks, record.track_pieces, request.track_count);
 }
 
 Status read_request(WordReader& words, PlanRecord& record) {
@@ -80,7 +103,7 @@ Status read_request(WordReader& words, PlanRecord& record) {
   record.request.fences = record.fences;
   Status status = read_fences(words, record.fences, record.planes, record.request.fence_count);
   if (status == Status::kOk) status = read_vias(words, record);
-  if (status == Status::kOk) status = read_previous(words, record);
+  if (status == Status::kOk) status = read_rest(words, record);
   return status;
 }
 

@@ -1,0 +1,151 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/moving.hpp"
+
+#include "base/capacity.hpp"
+#include "base/math.hpp"
+#include "curve/rest.hpp"
+
+namespace tern {
+namespace {
+
+/// Seconds. The longest outlasts a keep-out of half a minute in the middle of the way.
+constexpr double kWait[kWaits] = {0.0, 0.25, 0.5,  1.0,  1.5,  2.0,  2.5,  3.0,  4.0,  5.0,  6.5,
+                                  8.0, 10.0, 12.5, 15.0, 18.0, 22.0, 27.0, 33.0, 40.0, 50.0, 60.0};
+/// Factors of each segment's duration.
+constexpr double kPace[kPaces] = {1.0, 1.15, 1.35, 1.7, 2.2};
+
+/// s. No segment has no duration, so that of a plan that waits for nothing has this one.
+constexpr double kLeastWait = 1e-2;
+/// What a plan is granted, as by the check.
+constexpr double kGrant = 0.5 * kTrackTolerance;
+
+struct Try {
+  double wait;
+  double pace;
+};
+
+Try try_at(int index) {
+  return {kWait[index / kPaces], kPace[index % kPaces]};
+}
+
+/// The plan's segment before which it rests, or -1.
+int resting_joint(const Problem& problem, const EndStop* stops) {
+  const State& start = problem.asked.start;
+  if (at_rest(start)) return 0;
+  return stops[0].count > 0 ? stops[0].count : -1;
+}
+
+/// A plan that flies more slowly has other velocities at its end and at vias.
+bool may_slow_down(const Problem& problem) {
+  if (!at_rest(problem.asked.goal)) return false;
+  for (std::int32_t v = 0; v < problem.via_count; ++v) {
+    if (problem.vias[v].has_velocity) return false;
+  }
+  return true;
+}
+
+/// Inserts a segment that rests before the joint, and moves the vias behind it.
+void insert_wait(int joint, std::int32_t via_count, Trajectory& trajectory, ViaMemory& vias) {
+  for (int s = trajectory.count; s > joint; --s) trajectory.segments[s] = trajectory.segments[s - 1];
+  Segment& wait = trajectory.segments[joint];
+  for (Vec3& point : wait.points) point = trajectory.segments[joint + 1].points[0];
+  ++trajectory.count;
+  for (std::int32_t v = 0; v < via_count; ++v) vias.joint[v] += vias.joint[v] > joint ? 1 : 0;
+}
+
+/// The next try in the order of when the plan ends; -1: none is left.
+int next_try(const Waiting& waiting) {
+  int next = -1;
+  double soonest = 0.0;
+  for (int k = 1; k < kWaitingTries; ++k) {
+    const Try of = try_at(k);
+    if ((of.wait > 0.0 && !waiting.has_rest) || (of.pace > 1.0 && !waiting.may_slow_down)) continue;
+    const double ends = of.wait + of.pace * waiting.after;
+    const bool is_over = ends < waiting.ends || (!(waiting.ends < ends) && k <= waiting.last);
+    if (is_over || (next >= 0 && !(ends < soonest))) continue;
+    next = k;
+    soonest = ends;
+  }
+  return next;
+}
+
+/// Sets the durations of a try.
+void set_out(int index, Waiting& waiting, Trajectory& trajectory) {
+  const Try of = try_at(index);
+  const int first = waiting.joint + (waiting.has_rest ? 1 : 0);
+  for (int s = first; s < trajectory.count; ++s) trajectory.segments[s].duration = of.pace * waiting.duration[s];
+  if (waiting.has_rest) trajectory.segments[waiting.joint].duration = larger(of.wait, kLeastWait);
+  waiting.waits = of.wait;
+  waiting.last = index;
+  waiting.ends = of.wait + of.pace * waiting.after;
+}
+
+}  // namespace
+
+void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Operations& spent) noexcept {
+  asked.count = count;
+  std::int32_t used = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    asked.track[i] = list[i];
+    asked.track[i].pieces = list[i].piece_count > 0 ? asked.pieces + used : nullptr;
+    for (std::int32_t p = 0; p < list[i].piece_count; ++p) asked.pieces[used++] = list[i].pieces[p];
+  }
+  spent += 2 * ops::kPiece * count + ops::kPiece * used;
+}
+
+Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept {
+  return {found.track == left ? Status::kStartInContact : Status::kNoClearTime, found.track, found.until};
+}
+
+void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict& conflict, Trajectory& trajectory,
+                   ViaMemory& vias, Waiting& waiting) noexcept {
+  const double all = duration(trajectory);
+  waiting.is_tried = true;
+  waiting.looks_at_goal = conflict.status == Status::kNoClearTime;
+  waiting.joint = resting_joint(problem, stops);
+  waiting.may_slow_down = waiting.joint >= 0 && may_slow_down(problem);
+  if (waiting.joint < 0) return;
+  waiting.has_rest = !is_full(trajectory.count == kMaxSegments) && waiting.joint < trajectory.count;
+  if (waiting.has_rest) insert_wait(waiting.joint, problem.via_count, trajectory, vias);
+  waiting.before = 0.0;
+  for (int s = 0; s < trajectory.count; ++s) waiting.duration[s] = trajectory.segments[s].duration;
+  for (int s = 0; s < waiting.joint; ++s) waiting.before += waiting.duration[s];
+  waiting.after = all - waiting.before;
+  waiting.ends = waiting.after;
+  waiting.last = 0;
+  if (waiting.has_rest) trajectory.segments[waiting.joint].duration = kLeastWait;
+}
+
+Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Conflict& conflict,
+                         Work& work) noexcept {
+  if (waiting.looks_at_goal && !waiting.is_proving) {
+    TrackGrounds at_goal = grounds;
+    at_goal.leaves = false;
+    at_goal.rest = larger(grounds.rest, kLeastWait);
+    waiting.proof.begin_accepted(trajectory, duration(trajectory), __builtin_inf(), kGrant, at_goal);
+    waiting.is_proving = true;
+  }
+  // Each try is a proof.
+  for (int k = 0; k <= kWaitingTries + 1; ++k) {
+    if (waiting.is_proving) {
+      if (waiting.proof.step(work) == Status::kRunning) return Progress::kMore;
+      waiting.is_proving = false;
+      const ProofReport& found = waiting.proof.report();
+      const bool is_clear = found.finding == Finding::kNone;
+      if (!waiting.looks_at_goal && is_clear) return Progress::kDone;
+      if (waiting.looks_at_goal && !is_clear) conflict = {Status::kGoalCovered, found.track, conflict.until};
+      waiting.looks_at_goal = false;
+    }
+    const int next = waiting.joint < 0 ? -1 : next_try(waiting);
+    if (next < 0) return Progress::kFailed;
+    if (!work.left()) return Progress::kMore;
+    work.spend(ops::kTurn * kWaitingTries + ops::kCurve * trajectory.count);
+    set_out(next, waiting, trajectory);
+    waiting.proof.begin_accepted(trajectory, 0.0, __builtin_inf(), kGrant, grounds);
+    waiting.is_proving = true;
+  }
+  return Progress::kFailed;
+}
+
+}  // namespace tern

@@ -1,0 +1,76 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The request's tracks, and the attempt to be clear of them by time alone: to wait where the plan rests, and to fly on
+// more slowly. It costs proofs only, and changes no curve.
+#ifndef TERN_PLANNER_MOVING_HPP
+#define TERN_PLANNER_MOVING_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "planner/end_stop.hpp"
+#include "planner/problem.hpp"
+#include "planner/vias.hpp"
+#include "tern/status.hpp"
+#include "tern/track.hpp"
+#include "tern/track_proof.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// The request's tracks, copied. The tracks point into `pieces`, so they may not move.
+struct AskedTracks {
+  std::int32_t count;
+  Track track[kMaxTracks];
+  TrackPiece pieces[kMaxTrackPieces];
+};
+
+/// Copies the caller's tracks, which find_track_fault() has accepted. `spent` grows by the operations that it took.
+void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Operations& spent) noexcept;
+
+/// What the first plan to a goal met.
+struct Conflict {
+  Status status = Status::kOk;  ///< kStartInContact, kGoalCovered or kNoClearTime
+  std::int32_t track = kNoTrack;
+  double until = 0.0;  ///< s since the plan's beginning
+};
+
+/// Waits and paces that are tried, in the order of the plan's end.
+constexpr int kWaits = 22;
+constexpr int kPaces = 5;
+constexpr int kWaitingTries = kWaits * kPaces;
+
+struct Waiting {
+  bool is_tried = false;  ///< for the trajectory in memory
+  double waits = 0.0;     ///< s that the trajectory in memory waits
+  int joint = 0;          ///< before this segment, it rests; -1: nowhere
+  bool has_rest = false;  ///< a segment was inserted there
+  bool may_slow_down = false;
+  int last = -1;  ///< the try that was made last
+  double ends = 0.0;
+  bool is_proving = false;
+  bool looks_at_goal = false;
+  double before = 0.0;  ///< s that the trajectory takes before the joint
+  double after = 0.0;
+  double duration[kMaxSegments] = {};  ///< of each segment, before any try
+  TrackProof proof;
+};
+
+/// What a plan met that the check refused because of a track: `found`. `left`: the first track that it begins too near
+/// to.
+Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept;
+
+/// Begins to look for a time for the trajectory. `conflict`: what it met.
+void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict& conflict, Trajectory& trajectory,
+                   ViaMemory& vias, Waiting& waiting) noexcept;
+
+/// A piece of work is one of the proof against tracks. kDone: the trajectory now is clear of all tracks. kFailed: no
+/// wait and no pace helps. `conflict` becomes kGoalCovered if the trajectory, as it was, cannot rest at its end.
+Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Conflict& conflict,
+                         Work& work) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,296 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/track_proof.hpp"
+
+#include "base/capacity.hpp"
+#include "base/math.hpp"
+#include "base/track_fault.hpp"
+#include "base/work.hpp"
+#include "prove/track_motion.hpp"
+#include "prove/track_tube.hpp"
+
+namespace tern {
+namespace {
+
+template <typename Time>
+DoubleDouble seconds(const Time& time) {
+  return {time.high, time.low};
+}
+
+const DoubleDouble& earlier(const DoubleDouble& a, const DoubleDouble& b) {
+  return b < a ? b : a;
+}
+
+/// Exactly the sum of all durations.
+DoubleDouble length_of(const Trajectory& trajectory) {
+  DoubleDouble sum(0.0);
+  for (int i = 0; i < trajectory.count; ++i) sum = sum + DoubleDouble(trajectory.segments[i].duration);
+  return sum;
+}
+
+bool is_sound(const Trajectory& trajectory) {
+  for (int i = 0; i < trajectory.count; ++i) {
+    const Segment& segment = trajectory.segments[i];
+    if (!finite(segment.duration) || !(segment.duration > 0.0)) return false;
+    for (const Vec3& point : segment.points) {
+      if (!finite(point)) return false;
+    }
+  }
+  return finite(trajectory.origin);
+}
+
+Box box_of(const Trajectory& trajectory) {
+  Box box{trajectory.segments[0].points[0], trajectory.segments[0].points[0]};
+  for (int i = 0; i < trajectory.count; ++i) {
+    for (const Vec3& point : trajectory.segments[i].points) {
+      for (int a = 0; a < 3; ++a) {
+        axis(box.lower, a) = smaller(axis(box.lower, a), axis(point, a));
+        axis(box.upper, a) = larger(axis(box.upper, a), axis(point, a));
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Status TrackProof::begin(const Trajectory& trajectory, double from, const TrackGrounds& grounds) noexcept {
+  running_ = false;
+  trajectory_ = nullptr;
+  report_ = ProofReport{};
+  report_.until = from > 0.0 ? from : 0.0;
+  report_.finding = Finding::kMalformed;
+  if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
+  const bool fits = finite(grounds.radius) && finite(grounds.rest) && grounds.radius >= 0.0 && grounds.rest >= 0.0;
+  if (!fits) return Status::kInvalidArgument;
+  const TrackFault fault = find_track_fault(grounds.tracks, grounds.count);
+  report_.track = fault.track;
+  if (fault.status != Status::kOk) return fault.status;
+  begin_accepted(trajectory, from, __builtin_inf(), kTrackTolerance, grounds);
+  return Status::kRunning;
+}
+
+void TrackProof::begin_accepted(const Trajectory& trajectory, double from, double until, double grant,
+                                const TrackGrounds& grounds) noexcept {
+  trajectory_ = &trajectory;
+  grounds_ = grounds;
+  grant_ = grant;
+  spent_ = 0;
+  left_ = kNoTrack;
+  is_open_ = false;
+  report_ = ProofReport{};
+  report_.until = from > 0.0 ? from : 0.0;
+  running_ = grounds.count > 0 && report_.until < until;
+  if (!is_sound(trajectory)) {
+    running_ = false;
+    report_.finding = Finding::kMalformed;
+    return;
+  }
+  const DoubleDouble all = length_of(trajectory) + DoubleDouble(grounds.rest);
+  const DoubleDouble end = earlier(all, DoubleDouble(smaller(until, 1e30)));
+  from_ = {report_.until, 0.0};
+  end_ = {end.high, end.low};
+  bounds_ = box_of(trajectory);
+  if (running_) return enter_track(0);
+  report_.until = larger(report_.until, end.high);
+}
+
+/// Begins the proof against a track.
+void TrackProof::enter_track(int32_t track) noexcept {
+  track_ = track;
+  at_ = from_;
+  piece_ = 0;
+  gap_ = 0.0;
+  const Track& thing = grounds_.tracks[track];
+  const DoubleDouble measured = seconds_between(trajectory_->begin, thing.measured);
+  const DoubleDouble until = seconds_between(trajectory_->begin, thing.until);
+  measured_ = piece_begin_ = {measured.high, measured.low};
+  until_ = {until.high, until.low};
+  segment_ = 0;
+  segment_begin_ = {0.0, 0.0};
+  if (is_far()) at_ = end_;
+}
+
+/// True if the box around the trajectory is apart from all that a thing without pieces may reach until the end.
+bool TrackProof::is_far() const noexcept {
+  const Track& thing = grounds_.tracks[track_];
+  if (thing.piece_count > 0 || !(seconds(from_) < seconds(end_))) return false;
+  const TrackTimes times{seconds(measured_), seconds(until_)};
+  DoubleDouble from = seconds(from_) < times.measured ? times.measured : seconds(from_);
+  DoubleDouble to = seconds(end_) < times.measured ? times.measured : seconds(end_);
+  const bool ends = thing.end != TrackEnd::kGoesOn && times.until < to;
+  double growth = 0.0;
+  if (ends) {
+    growth = thing.end == TrackEnd::kReach ? thing.reach * (to - times.until).high : 0.0;
+    to = times.until;
+    if (to < from) from = to;
+  }
+  ThingMotion motion;
+  move_thing(thing, trajectory_->origin, times, {SpanKind::kMoves, 0, times.measured, never()}, from, to, motion);
+  const double reach = (motion.error[kDegree] + growth) + (grounds_.radius + ball_of(thing));
+  return are_apart(thing, motion, reach, bounds_);
+}
+
+/// Goes on to the next stretch that something is to be proven of.
+void TrackProof::next_stretch(Work& work) noexcept {
+  work.spend(ops::kPiece);
+  const DoubleDouble at = seconds(at_);
+  const DoubleDouble end = seconds(end_);
+  if (!(at < end)) {
+    running_ = track_ + 1 < grounds_.count;
+    if (running_) return enter_track(track_ + 1);
+    report_.until = larger(report_.until, end.high);
+    return;
+  }
+  DoubleDouble to = end;
+  while (segment_ < trajectory_->count) {
+    const DoubleDouble behind = seconds(segment_begin_) + DoubleDouble(trajectory_->segments[segment_].duration);
+    to = earlier(behind, end);
+    if (at < behind) break;
+    segment_begin_ = {behind.high, behind.low};
+    ++segment_;
+    to = end;
+  }
+  const DoubleDouble leave = seconds(from_) + DoubleDouble(kLeaveTime);
+  if (grounds_.leaves && at < leave) to = earlier(to, leave);
+  work.spend(2 * ops::kCurve);
+  is_open_ = load({to.high, to.low});
+  if (!is_open_) pass();
+}
+
+/// Loads the tubes from at_ to `to`, or to the end of the track's span. True if the curve is near all of them.
+bool TrackProof::load(Time until) noexcept {
+  const Track& thing = grounds_.tracks[track_];
+  const TrackTimes times{seconds(measured_), seconds(until_)};
+  const DoubleDouble at = seconds(at_);
+  const TrackSpan span = span_at(thing, times, piece_, seconds(piece_begin_), at);
+  const DoubleDouble to = earlier(seconds(until), span.end);
+  to_ = {to.high, to.low};
+  piece_ = span.piece;
+  piece_begin_ = {span.begin.high, span.begin.low};
+  number_ = depth_ = looked_at_ = 0;
+  if (span.kind == SpanKind::kAbsent) return false;
+
+  Vec3 points[kControlPoints];
+  const Segment& segment = trajectory_->segments[segment_ < trajectory_->count ? segment_ : segment_ - 1];
+  for (int i = 0; i < kControlPoints; ++i) points[i] = segment.points[segment_ < trajectory_->count ? i : kDegree];
+  if (segment_ < trajectory_->count) {
+    const DoubleDouble begin = seconds(segment_begin_);
+    take_part(points, share_of(at, begin, segment.duration), share_of(to, begin, segment.duration));
+  }
+  ThingMotion motion;
+  move_thing(thing, trajectory_->origin, times, span, at, to, motion);
+  const double distance = (grounds_.radius + ball_of(thing)) - grant_;
+  slack_ = make_tube(points, motion, distance, tube_[kError].points) + rounding_of_size(shape_size(thing));
+  has_[kReach] = thing.reach > 0.0;
+  if (has_[kReach]) {
+    const double since = (at - times.measured).high;
+    const Vec3 place = first_place(thing, trajectory_->origin);
+    hold(place, thing.error + thing.reach * since, thing.reach * (to - at).high, motion);
+    slack_ =
+        larger(slack_, make_tube(points, motion, distance, tube_[kReach].points) + rounding_of_size(shape_size(thing)));
+  }
+  has_[kError] = true;
+  has_[kLeave] = false;
+  if (grounds_.leaves && !(seconds(from_) < at)) look_at_start();
+  if (gap_ > 0.0) {
+    const double since = (at - seconds(from_)).high - kLeaveTime;
+    const bool leads_away = !(since < 0.0);
+    has_[kLeave] = true;
+    widen(tube_[kError].points, gap_ - grant_ + (leads_away ? kLeaveSpeed * since : 0.0),
+          leads_away ? kLeaveSpeed * (to - at).high : 0.0, tube_[kLeave].points);
+  }
+  for (int t = 0; t < kTubes; ++t) {
+    if (has_[t] && axis_keeps_off(thing, tube_[t].points, slack_)) return false;
+  }
+  return true;
+}
+
+/// Notes how far from the thing's shape the trajectory begins, if that is too near.
+void TrackProof::look_at_start() noexcept {
+  const Track& thing = grounds_.tracks[track_];
+  if (!touches(thing, tube_[kError].points[0])) return;
+  if (has_[kReach] && !touches(thing, tube_[kReach].points[0])) return;
+  const double gap = gap_of(thing, tube_[kError].points[0]);
+  if (gap > ball_of(thing)) gap_ = gap;
+  if (left_ == kNoTrack) left_ = track_;
+}
+
+/// The piece is proven, halved, or lost.
+void TrackProof::look_at_piece(Work& work) noexcept {
+  const Track& thing = grounds_.tracks[track_];
+  if (is_full(looked_at_++ == kTrackPieces)) return lose();
+  bool touches_all = true;
+  for (int t = 0; t < kTubes; ++t) {
+    if (!has_[t]) continue;
+    work.spend(2 * ops::kCurve);
+    double part[kControlPoints][4];
+    take_dyadic_part(tube_[t].points, number_, depth_, part);
+    if (plane_keeps_off(thing, part, slack_)) return go_on();
+    touches_all = touches_all && touches(thing, part[0]);
+  }
+  if (touches_all || is_full(depth_ == kTrackDepth)) return lose();
+  ++depth_;
+  number_ *= 2;
+}
+
+/// Goes on behind a piece that is proven.
+void TrackProof::go_on() noexcept {
+  ++number_;
+  while (depth_ > 0 && number_ % 2 == 0) {
+    number_ /= 2;
+    --depth_;
+  }
+  if (depth_ == 0) pass();
+}
+
+/// Goes on behind the stretch.
+void TrackProof::pass() noexcept {
+  is_open_ = false;
+  at_ = to_;
+}
+
+/// The proof ends where the piece begins. Other tracks only matter if they are met earlier.
+void TrackProof::lose() noexcept {
+  const Track& thing = grounds_.tracks[track_];
+  const DoubleDouble at = seconds(at_);
+  const double share = static_cast<double>(number_) / static_cast<double>(1 << depth_);
+  const DoubleDouble lost = at + DoubleDouble(share * (seconds(to_) - at).high);
+  double part[kControlPoints][4];
+  double missing = __builtin_inf();
+  for (int t = 0; t < kTubes; ++t) {
+    if (!has_[t]) continue;
+    take_dyadic_part(tube_[t].points, number_, depth_, part);
+    missing = smaller(missing, part[0][3] - gap_of(thing, part[0]));
+  }
+  is_open_ = false;
+  end_ = at_ = {lost.high, lost.low};
+  report_.finding = Finding::kTrack;
+  report_.track = track_;
+  report_.segment = segment_ < trajectory_->count ? segment_ : trajectory_->count - 1;
+  report_.excess = larger(missing, 0.0);
+}
+
+Status TrackProof::step(Work& work) noexcept {
+  const Operations before = work.operations();
+  while (running_ && work.left()) is_open_ ? look_at_piece(work) : next_stretch(work);
+  spent_ += before - work.operations();
+  report_.work = static_cast<uint32_t>((spent_ + kUnit - 1) / kUnit);
+  return running_ ? Status::kRunning : Status::kOk;
+}
+
+double clear_until(const Trajectory& trajectory, double from, const TrackGrounds& grounds,
+                   ProofReport* report) noexcept {
+  TrackProof proof;
+  const bool begun = proof.begin(trajectory, from, grounds) == Status::kRunning;
+  Work work;
+  // A stretch for each segment, each piece and what lies between, of each track.
+  for (int i = 0; begun && i <= kMaxTracks * (kMaxSegments + 8) + kMaxTrackPieces; ++i) {
+    work.add(~uint32_t{0});
+    if (proof.step(work) == Status::kOk) break;
+  }
+  if (report != nullptr) *report = proof.report();
+  return proof.report().until;
+}
+
+}  // namespace tern

@@ -1,0 +1,307 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plans among things that move: what is proven, what waits, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "support/random.hpp"
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Field;
+using tern::Stage;
+using tern::Status;
+using tern::Track;
+using tern::TrackEnd;
+using tern::TrackShape;
+using tern::Trajectory;
+using tern::Vec3;
+
+constexpr std::int64_t kSecond = 1000000000;
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+Track ball(const Vec3& place, const Vec3& velocity, double radius = 0.3) {
+  Track track;
+  track.position = place;
+  track.velocity = velocity;
+  track.radius = radius;
+  return track;
+}
+
+/// 8 x 4 x 2 m with nothing in it that stands, and a request along its middle: some seven seconds.
+class Among : public testing::Test {
+ protected:
+  Among() : world_({80, 40, 20}, 0.1, 0.2) { world_.from({0.55, 2.05, 1.05}).to({7.45, 2.05, 1.05}); }
+
+  Status plan(const std::vector<Track>& tracks) {
+    tracks_ = tracks;
+    world_.request.tracks = tracks_.data();
+    world_.request.track_count = static_cast<std::int32_t>(tracks_.size());
+    return world_.plan();
+  }
+
+  /// A plan that is proven by a proof that knows nothing of the planner.
+  void expect_plan(double rest = 0.0) {
+    ASSERT_EQ(world_.report.status, Status::kOk);
+    tern::TrackGrounds grounds;
+    grounds.tracks = tracks_.data();
+    grounds.count = world_.request.track_count;
+    grounds.radius = world_.spec.radius;
+    grounds.rest = rest;
+    grounds.leaves = true;
+    tern::ProofReport found;
+    tern::clear_until(world_.trajectory, world_.report.entered, grounds, &found);
+    EXPECT_EQ(found.finding, tern::Finding::kNone);
+  }
+
+  void expect_refused(Status status, std::int32_t track) {
+    EXPECT_EQ(world_.report.status, status);
+    EXPECT_EQ(world_.report.track, track);
+    EXPECT_TRUE(world_.trajectory_untouched());
+  }
+
+  World world_;
+  std::vector<Track> tracks_;
+};
+
+TEST_F(Among, WhatIsFarAwayChangesNothing) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  EXPECT_EQ(world_.report.rest_clear_until, kForever);
+  EXPECT_EQ(world_.report.track, tern::kNoTrack);
+  const auto alone = std::make_unique<Trajectory>(world_.trajectory);
+  const std::uint64_t check = world_.report.diagnostics.stages[static_cast<int>(Stage::kCheck)].bound;
+  ASSERT_EQ(plan({ball({4.0, 3.9, 1.0}, {0.0, 0.0, 0.0})}), Status::kOk);
+  EXPECT_EQ(std::memcmp(alone.get(), &world_.trajectory, sizeof(Trajectory)), 0);
+  EXPECT_EQ(world_.report.rest_clear_until, kForever);
+  EXPECT_EQ(world_.report.waits, 0.0);
+  EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(Stage::kCheck)].bound, check);
+  EXPECT_EQ(world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)].work, 0u);
+}
+
+TEST_F(Among, WaitsForWhatCrosses) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const double alone = tern::duration(world_.trajectory);
+  // It is in the middle of the way when the plan is.
+  const double half = 0.5 * alone;
+  ASSERT_EQ(plan({ball({4.0, 2.05 - half, 1.05}, {0.0, 1.0, 0.0})}), Status::kOk);
+  expect_plan();
+  EXPECT_GT(tern::duration(world_.trajectory), alone);
+  EXPECT_LT(tern::duration(world_.trajectory), 1.5 * alone);
+  EXPECT_LE(world_.report.waits, tern::duration(world_.trajectory) - alone + 1e-9);
+  const tern::StageReport& stage = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)];
+  EXPECT_GT(stage.work, 0u);
+  EXPECT_LE(stage.work, stage.bound);
+}
+
+TEST_F(Among, TheClockSaysWhereThingsAre) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const double half = 0.5 * tern::duration(world_.trajectory);
+  Track crossing = ball({4.0, 2.05 - half, 1.05}, {0.0, 1.0, 0.0});
+  crossing.measured = 77 * kSecond;
+  world_.request.begin = 77 * kSecond;
+  ASSERT_EQ(plan({crossing}), Status::kOk);
+  EXPECT_GT(world_.report.waits, 0.0);
+  EXPECT_EQ(world_.trajectory.begin, 77 * kSecond);
+  world_.request.begin = 97 * kSecond;
+  ASSERT_EQ(plan({crossing}), Status::kOk);
+  EXPECT_EQ(world_.report.waits, 0.0);
+  EXPECT_NEAR(tern::duration(world_.trajectory), 2.0 * half, 1e-9);
+}
+
+TEST_F(Among, ArrivesWhenTheGoalIsFree) {
+  Track parked = ball({7.45, 2.05, 1.05}, {0.0, 0.0, 0.0});
+  parked.end = TrackEnd::kGone;
+  parked.until = 15 * kSecond;
+  ASSERT_EQ(plan({parked}), Status::kOk);
+  expect_plan();
+  EXPECT_GE(tern::duration(world_.trajectory), 15.0);
+  EXPECT_LT(tern::duration(world_.trajectory), 20.0);
+  parked.end = TrackEnd::kGoesOn;
+  EXPECT_EQ(plan({ball({1.0, 0.2, 1.0}, {0.0, 0.0, 0.0}), parked}), Status::kGoalCovered);
+  expect_refused(Status::kGoalCovered, 1);
+  EXPECT_EQ(world_.report.stage, Stage::kTracks);
+  EXPECT_GT(world_.report.conflict, 3.0);
+}
+
+TEST_F(Among, ABlockedWayHasNoClearTime) {
+  Track wall = ball({4.0, 2.0, 1.0}, {0.0, 0.0, 0.0});
+  wall.shape = TrackShape::kBox;
+  wall.half = {0.1, 3.0, 3.0};
+  EXPECT_EQ(plan({wall}), Status::kNoClearTime);
+  expect_refused(Status::kNoClearTime, 0);
+  EXPECT_GT(world_.report.conflict, 1.0);
+  EXPECT_LT(world_.report.conflict, 5.0);
+  wall.end = TrackEnd::kGone;
+  wall.until = 30 * kSecond;
+  ASSERT_EQ(plan({wall}), Status::kOk);
+  expect_plan();
+  EXPECT_GE(tern::duration(world_.trajectory), 30.0);
+}
+
+TEST_F(Among, LeavesWhatIsTooNearAtTheStart) {
+  ASSERT_EQ(plan({ball({0.15, 2.05, 1.05}, {0.0, 0.0, 0.0})}), Status::kOk);
+  expect_plan();
+  EXPECT_EQ(world_.report.track, 0);
+  EXPECT_EQ(world_.report.waits, 0.0);
+  EXPECT_EQ(plan({ball({0.55, 2.05, 1.05}, {0.0, 0.0, 0.0})}), Status::kStartInContact);
+  expect_refused(Status::kStartInContact, 0);
+  EXPECT_EQ(world_.report.conflict, 0.0);
+  // The thing is ahead, so the only way leads nearer.
+  EXPECT_EQ(plan({ball({1.0, 2.05, 1.05}, {0.0, 0.0, 0.0})}), Status::kStartInContact);
+}
+
+TEST_F(Among, TheEndStaysClearForAsLongAsItIsAskedTo) {
+  // It comes to the goal after twelve seconds.
+  const Track coming = ball({7.45, -9.5, 1.05}, {0.0, 1.0, 0.0});
+  ASSERT_EQ(plan({coming}), Status::kOk);
+  expect_plan();
+  const double alone = tern::duration(world_.trajectory);
+  EXPECT_NEAR(world_.report.rest_clear_until, 11.55 - 0.5, 0.02);
+  world_.request.rest_clear = 10.0;
+  ASSERT_EQ(plan({coming}), Status::kOk);
+  expect_plan(10.0);
+  EXPECT_GT(tern::duration(world_.trajectory), 12.0);
+  EXPECT_GT(tern::duration(world_.trajectory), alone);
+  EXPECT_EQ(world_.report.rest_clear_until, kForever);
+}
+
+TEST_F(Among, StopsFirstIfItBeginsInMotion) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  world_.request.start.velocity = {1.0, 0.0, 0.0};
+  const double half = 0.45 * tern::duration(world_.trajectory);
+  Track across = ball({5.0, 2.05 - half, 1.05}, {0.0, 1.0, 0.0});
+  across.shape = TrackShape::kCylinder;
+  across.half.z = 2.0;
+  const Status status = plan({across});
+  ASSERT_EQ(status, Status::kOk);
+  expect_plan();
+}
+
+TEST_F(Among, PassesItsViasAfterTheWait) {
+  std::vector<tern::Via> vias(1);
+  vias[0].position = {4.0, 2.05, 1.05};
+  vias[0].tolerance = 0.2;
+  world_.request.vias = vias.data();
+  world_.request.via_count = 1;
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const double passed = world_.report.vias[0].time;
+  ASSERT_EQ(plan({ball({4.0, 2.05 - passed, 1.05}, {0.0, 1.0, 0.0})}), Status::kOk);
+  expect_plan();
+  EXPECT_GT(world_.report.vias[0].time, passed);
+  EXPECT_LE(world_.report.vias[0].distance, 0.2 + 1e-9);
+}
+
+TEST_F(Among, APreviousPlanIsFollowedOnlyIfItIsClear) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const auto before = std::make_unique<Trajectory>(world_.trajectory);
+  const tern::Sample now = tern::evaluate(*before, 1.0);
+  world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+  world_.request.previous = before.get();
+  world_.request.previous_time = 1.0;
+  world_.request.begin = kSecond;
+  const Track far = ball({4.0, 3.8, 1.0}, {0.0, 0.0, 0.0});
+  ASSERT_EQ(plan({far}), Status::kOk);
+  expect_plan();
+  Track wall = ball({6.0, 2.0, 1.0}, {0.0, 0.0, 0.0});
+  wall.shape = TrackShape::kBox;
+  wall.half = {0.1, 3.0, 3.0};
+  wall.end = TrackEnd::kGone;
+  wall.until = 12 * kSecond;
+  wall.measured = kSecond;
+  ASSERT_EQ(plan({wall}), Status::kOk);
+  expect_plan();
+  EXPECT_NE(world_.report.quality, tern::Quality::kPrevious);
+  EXPECT_GE(tern::duration(world_.trajectory), 10.0);
+  world_.request.begin = 2 * kSecond;
+  EXPECT_EQ(plan({far}), Status::kInvalidArgument);
+  EXPECT_EQ(world_.report.field, Field::kPrevious);
+}
+
+TEST_F(Among, SlicesGiveTheSamePlan) {
+  const Track crossing = ball({4.0, -1.0, 1.05}, {0.0, 1.0, 0.0});
+  ASSERT_EQ(plan({crossing, ball({6.0, 6.0, 1.0}, {0.0, -1.0, 0.0})}), Status::kOk);
+  const auto whole = std::make_unique<Trajectory>(world_.trajectory);
+  Status status = world_.planner.begin(world_.grid, world_.request);
+  // The tracks are copied.
+  for (Track& track : tracks_) track = ball({4.0, 2.0, 1.0}, {0.0, 0.0, 0.0}, 9.0);
+  while (status == Status::kRunning) status = world_.planner.step(7);
+  ASSERT_EQ(world_.planner.finish(world_.trajectory, world_.report), Status::kOk);
+  EXPECT_EQ(std::memcmp(whole.get(), &world_.trajectory, sizeof(Trajectory)), 0);
+}
+
+TEST_F(Among, RefusesWhatIsNoTrack) {
+  Track track = ball({1.0, 1.0, 1.0}, {0.0, 0.0, 0.0});
+  track.error = -1.0;
+  EXPECT_EQ(plan({Track{}, track}), Status::kInvalidArgument);
+  expect_refused(Status::kInvalidArgument, 1);
+  EXPECT_EQ(world_.report.field, Field::kTracks);
+  track.error = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(plan({track}), Status::kNonFiniteInput);
+  EXPECT_EQ(plan(std::vector<Track>(tern::kMaxTracks + 1)), Status::kTracksFull);
+  expect_refused(Status::kTracksFull, tern::kNoTrack);
+  std::vector<tern::TrackPiece> pieces(tern::kMaxTrackPieces + 1, tern::TrackPiece{1.0, {}});
+  track = Track{};
+  track.pieces = pieces.data();
+  track.piece_count = tern::kMaxTrackPieces + 1;
+  EXPECT_EQ(plan({track}), Status::kTrackPiecesFull);
+  track.piece_count = tern::kMaxTrackPieces;
+  EXPECT_EQ(plan({track}), Status::kOk);
+  world_.request.track_count = -1;
+  EXPECT_EQ(world_.plan(), Status::kInvalidArgument);
+  EXPECT_EQ(world_.report.field, Field::kTracks);
+  world_.request.track_count = 0;
+  for (const double rest : {-1.0, 3601.0}) {
+    world_.request.rest_clear = rest;
+    EXPECT_EQ(world_.plan(), Status::kInvalidArgument);
+    EXPECT_EQ(world_.report.field, Field::kRestClear);
+  }
+  world_.request.rest_clear = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(world_.plan(), Status::kNonFiniteInput);
+}
+
+/// Random things in random number: each plan is proven by code of its own, and no refusal is for nothing.
+TEST(AmongMany, PlansAreClear) {
+  Random random(41);
+  World world({80, 40, 20}, 0.1, 0.2);
+  int planned = 0;
+  int waited = 0;
+  const int cases = scaled(60);
+  for (int i = 0; i < cases; ++i) {
+    world.from({0.55, random.real(0.5, 3.5), 1.05}).to({7.45, random.real(0.5, 3.5), 1.05});
+    std::vector<Track> tracks(static_cast<std::size_t>(random.integer(1, 10)));
+    for (Track& track : tracks) {
+      track = ball({random.real(1.5, 7.0), random.real(-2.0, 6.0), random.real(0.5, 1.5)},
+                   {random.real(-1.0, 1.0), random.real(-1.0, 1.0), 0.0}, random.real(0.1, 0.3));
+      track.error = 0.05;
+      track.error_speed = 0.02;
+    }
+    world.request.tracks = tracks.data();
+    world.request.track_count = static_cast<std::int32_t>(tracks.size());
+    if (world.plan() != Status::kOk) continue;
+    ++planned;
+    waited += tern::duration(world.trajectory) > 0.0 && world.report.waits > 0.0 ? 1 : 0;
+    tern::TrackGrounds grounds;
+    grounds.tracks = tracks.data();
+    grounds.count = world.request.track_count;
+    grounds.radius = 0.2;
+    grounds.leaves = true;
+    tern::ProofReport found;
+    tern::clear_until(world.trajectory, 0.0, grounds, &found);
+    EXPECT_EQ(found.finding, tern::Finding::kNone) << "case " << i;
+  }
+  EXPECT_GE(planned, cases * 2 / 3);
+  if (cases > 20) {
+    EXPECT_GT(waited, 0);
+  }
+}
+
+}  // namespace
+}  // namespace tern_test
