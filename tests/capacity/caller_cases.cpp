@@ -83,6 +83,18 @@ Status plan_with_vias(int count) {
   return status == Status::kOk || world.report.field == tern::Field::kVias ? status : kNotThis;
 }
 
+Status plan_among(int count, int pieces) {
+  World world = tern_test::open_world();
+  const std::vector<tern::TrackPiece> rest(static_cast<std::size_t>(pieces) + 1, tern::TrackPiece{1.0, {}});
+  std::vector<tern::Track> tracks(static_cast<std::size_t>(count));
+  tracks[0].pieces = rest.data();
+  tracks[0].piece_count = pieces;
+  world.request.tracks = tracks.data();
+  world.request.track_count = count;
+  const Status status = world.plan();
+  return status == Status::kOk || world.report.field == tern::Field::kTracks ? status : kNotThis;
+}
+
 std::vector<Exceeded> request_capacities() {
   return {
       {"TERN_MAX_FENCES", Status::kFencesFull, [] { return plan_with_fences(tern::kMaxFences, 1) == Status::kOk; },
@@ -92,6 +104,11 @@ std::vector<Exceeded> request_capacities() {
        [] { return plan_with_fences(1, tern::kMaxFencePlanes + 1); }},
       {"TERN_MAX_WORLD_WORDS", Status::kWorldFull, [] { return plan_on_words(tern::kMaxWorldWords) == Status::kOk; },
        [] { return plan_on_words(tern::kMaxWorldWords + 64); }},
+      {"TERN_MAX_TRACKS", Status::kTracksFull, [] { return plan_among(tern::kMaxTracks, 0) == Status::kOk; },
+       [] { return plan_among(tern::kMaxTracks + 1, 0); }},
+      {"TERN_MAX_TRACK_PIECES", Status::kTrackPiecesFull,
+       [] { return plan_among(1, tern::kMaxTrackPieces) == Status::kOk; },
+       [] { return plan_among(1, tern::kMaxTrackPieces + 1); }},
       {"TERN_MAX_VIAS", Status::kViasFull, [] { return plan_with_vias(tern::kMaxVias) == Status::kOk; },
        [] { return plan_with_vias(tern::kMaxVias + 1); }}};
 }

@@ -202,6 +202,35 @@ class ProofSubject : public Subject {
   Status planned_;
 };
 
+/// Another vehicle's plan as a track, and a proof beside it.
+class TrackSubject : public Subject {
+ public:
+  TrackSubject() : world_(recorded_world()), planned_(world_.plan()) {}
+  Outcome run() override {
+    tern::TrackPiece pieces[tern::kMaxTrackPieces];
+    tern::Track track;
+    tern::Trajectory other = world_.trajectory;
+    other.count = 2;
+    other.origin.y += 0.7;
+    const Status status = tern::track_of(other, 0.2, pieces, tern::kMaxTrackPieces, track);
+    if (status != Status::kOk) return {status, "", track.pieces == nullptr ? "" : "written though refused"};
+    tern::TrackGrounds grounds;
+    grounds.tracks = &track;
+    grounds.count = 1;
+    grounds.radius = 0.2;
+    tern::TrackProof proof;
+    const Status begun = proof.begin(world_.trajectory, 0.0, grounds);
+    if (begun != Status::kRunning) return {begun, "", ""};
+    const double until = tern::clear_until(world_.trajectory, 0.0, grounds);
+    const bool wrong = !(until >= 0.0 && until <= tern::duration(world_.trajectory) + 1e-9);
+    return {planned_, bits_of(&until, sizeof until), wrong ? "more is proven than there is" : ""};
+  }
+
+ private:
+  tern_test::World world_;
+  Status planned_;
+};
+
 class FlightSubject : public Subject {
  public:
   explicit FlightSubject(Surprise surprise) : surprise_(surprise) {}
@@ -236,6 +265,7 @@ std::vector<std::unique_ptr<Subject>> other_subjects() {
   subjects.push_back(std::make_unique<FlightRecordSubject>());
   subjects.push_back(std::make_unique<MissionSubject>());
   subjects.push_back(std::make_unique<ProofSubject>());
+  subjects.push_back(std::make_unique<TrackSubject>());
   return subjects;
 }
 

@@ -43,6 +43,8 @@ class PlanSubject : public Subject {
   /// Where an end moves, what a detour or a stop had no room for is that motion's fault.
   bool allows(Status status) const override {
     // A proof that runs out of pieces refuses the plan.
+    const bool meets = status == Status::kNoClearTime || status == Status::kGoalCovered;
+    if (meets || status == Status::kStartInContact) return asked_->world.request.track_count > 0;
     return Subject::allows(status) || status == Status::kCheckFailed || (status == Status::kNoTrajectory && moves());
   }
 

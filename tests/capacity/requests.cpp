@@ -85,11 +85,29 @@ void continue_plan(Random& random, Asked& asked) {
   world.request.start = {at.position, at.velocity, at.acceleration, at.jerk};
   world.request.previous = &asked.previous;
   world.request.previous_time = t;
+  world.request.begin = static_cast<std::int64_t>(t * 1e9);
   if (random.chance(0.5)) world.request.goal.position = any_point(random, world);
   if (random.chance(0.3)) {
     world.grid.mark_box({at.position + Vec3{0.5, 0.5, 0.0}, at.position + Vec3{1.0, 1.0, 1.0}});
     world.grid.inflate();
   }
+}
+
+/// Balls and boxes, some of which meet the way.
+void add_tracks(Random& random, Asked& asked) {
+  for (int k = random.integer(1, 2); k > 0; --k) {
+    tern::Track track;
+    track.measured = asked.world.request.begin;
+    track.position = any_point(random, asked.world);
+    track.velocity = any_vector(random, 1.0);
+    track.radius = random.real(0.05, 0.3);
+    track.half = {0.2, 0.2, 0.2};
+    track.shape = random.chance(0.5) ? tern::TrackShape::kBall : tern::TrackShape::kBox;
+    track.error_speed = 0.05;
+    asked.tracks.push_back(track);
+  }
+  asked.world.request.tracks = asked.tracks.data();
+  asked.world.request.track_count = static_cast<std::int32_t>(asked.tracks.size());
 }
 
 tern::Voxel any_dims(Random& random) {
@@ -99,9 +117,8 @@ tern::Voxel any_dims(Random& random) {
   return {x, y, random.integer(6, 16)};
 }
 
-}  // namespace
-
-std::unique_ptr<Asked> random_request(std::uint64_t seed) {
+/// A request without tracks.
+std::unique_ptr<Asked> standing_request(std::uint64_t seed) {
   Random random(seed);
   const tern::Voxel dims = any_dims(random);
   auto asked = std::make_unique<Asked>(dims, random.chance(0.2) ? 0.0 : random.real(0.1, 0.4));
@@ -122,6 +139,15 @@ std::unique_ptr<Asked> random_request(std::uint64_t seed) {
   }
   if (random.chance(0.5)) request.goal_mode = tern::GoalMode::kNearest;
   if (random.chance(0.3)) continue_plan(random, *asked);
+  return asked;
+}
+
+}  // namespace
+
+std::unique_ptr<Asked> random_request(std::uint64_t seed) {
+  auto asked = standing_request(seed);
+  Random random(~seed);
+  if (random.chance(0.3)) add_tracks(random, *asked);
   return asked;
 }
 

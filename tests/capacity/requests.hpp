@@ -22,6 +22,7 @@ struct Asked {
   std::vector<tern::Halfspace> planes;
   std::vector<tern::Fence> fences;
   std::vector<tern::Via> vias;
+  std::vector<tern::Track> tracks;
   tern::Trajectory previous{};
 };
 

@@ -63,6 +63,17 @@ Status plan_fenced(const Vec3& point, const tern::Via* via = nullptr, double siz
   return world.plan();
 }
 
+/// A ball that stands for ever.
+Status plan_among(const Vec3& place, double radius) {
+  World world = open_world();
+  tern::Track track;
+  track.position = place;
+  track.radius = radius;
+  world.request.tracks = &track;
+  world.request.track_count = 1;
+  return world.plan();
+}
+
 /// A shaft around x = y = 1 in a solid corner, so narrow that none of its voxels keeps the radius; its middle does.
 Status plan_in_shaft(const Vec3& from, const Vec3& to, const tern::Via* via = nullptr) {
   World world({40, 40, 20}, 0.1, 0.19);
@@ -250,6 +261,9 @@ std::vector<Case> world_cases() {
          via.position = {1.0, 1.0, 1.0};
          return plan_in_shaft({3.0, 3.0, 1.0}, {3.0, 3.2, 1.0}, &via);
        }},
+      {Status::kStartInContact, [] { return plan_among(open_world().request.start.position, 0.1); }},
+      {Status::kGoalCovered, [] { return plan_among(open_world().request.goal.position, 0.1); }},
+      {Status::kNoClearTime, [] { return plan_among(kMiddle, 0.5); }},
       {Status::kStartFenced, [] { return plan_fenced(open_world().request.start.position); }},
       {Status::kGoalFenced, [] { return plan_fenced(open_world().request.goal.position); }},
       {Status::kViaOccupied,

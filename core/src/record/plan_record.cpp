@@ -36,8 +36,8 @@ bool can_be_written(const Request& request) {
 }
 
 /// What follows the vias: a sum of these.
-constexpr std::int32_t kHasPrevious = 1;
-constexpr std::int32_t kHasTracks = 2;
+constexpr std::uint64_t kHasPrevious = 1;
+constexpr std::uint64_t kHasTracks = 2;
 
 bool asks_for_tracks(const Request& request) {
   return request.track_count > 0 || request.rest_clear > 0.0;
@@ -51,7 +51,7 @@ void write_request(const Request& request, WordWriter& words) {
   write_fences(request.fences, request.fence_count, words);
   words(request.via_count);
   for (std::int32_t v = 0; v < request.via_count; ++v) list_via(words, request.vias[v]);
-  words((request.previous != nullptr ? kHasPrevious : 0) + (asks_for_tracks(request) ? kHasTracks : 0));
+  words.word((request.previous != nullptr ? kHasPrevious : 0) + (asks_for_tracks(request) ? kHasTracks : 0));
   if (request.previous != nullptr) write_trajectory(*request.previous, words);
   if (!asks_for_tracks(request)) return;
   words(request.rest_clear);
@@ -80,9 +80,9 @@ Status read_vias(WordReader& words, PlanRecord& record) {
 
 /// The previous plan and the tracks, if there are any.
 Status read_rest(WordReader& words, PlanRecord& record) {
-  std::int32_t follows = 0;
-  Status status = read_count(words, kHasPrevious + kHasTracks, Status::kRecordDamaged, follows);
-  if (status != Status::kOk) return status;
+  const std::uint64_t follows = words.word();
+  if (follows > kHasPrevious + kHasTracks) return Status::kRecordDamaged;
+  Status status = Status::kOk;
   Request& request = record.request;
   if ((follows & kHasPrevious) != 0) {
     request.previous = &record.previous;
