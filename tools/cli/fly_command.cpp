@@ -236,9 +236,9 @@ void add_fly_command(CLI::App& app, int& exit_status) {
   command->footer(
       "Families: P49, P36, P25, P12 (forests of thin trees), S05, S10, S20 (thick cylinders), C (hidden corner),\n"
       "B (bug trap), O (storey with doors), M (maze); missions: L (survey lines), G (lap through ten gates),\n"
-      "I (inspection), D (delivery); with a camera fixed to the body: V (up and down), F (open field), H (hills),\n"
-      "T30 (slope), E (power lines), R (leaning trunks), W (warehouse), N (nets), Q (lap round a room), X (window),\n"
-      "U (stairs).\n"
+      "I (inspection), D (delivery); with a camera fixed to the body: V (up and down), F (open field),\n"
+      "K (from the ground to the ground), H (hills), T30 (slope), E (power lines), R (leaning trunks),\n"
+      "W (warehouse), N (nets), Q (lap round a room), X (window), U (stairs).\n"
       "Exit status 3 where the goal is not reached, or the tracking error exceeds its margin.");
   command->callback([options, &exit_status] { exit_status = fly(*options); });
 }

@@ -96,6 +96,10 @@ void check_order(const std::vector<Commit>& commits, const Rational& end) {
 
 Flight flight_of(const Json& json) {
   if (!json.contains("commits")) throw InputError("it has no 'commits': fly it with 'tern fly --json FILE --commits'");
+  if (json.contains("column") || json.contains("land")) {
+    throw InputError(
+        "it begins or ends on the ground ('column', 'land'), where no radius is kept: nothing is proven of it");
+  }
   if (!json.contains("track")) throw InputError("it has no 'track': fly it again with this version's 'tern fly'");
   Flight flight;
   flight.world = world_of(json);

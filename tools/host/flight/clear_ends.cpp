@@ -176,7 +176,12 @@ class EndsOfFlight {
              fixed(std::max(0.0, near.of_voxels), 2) + " m";
     }
     why += ". All of it must be " + needed_text(world_.settings);
-    if (is_below(near.at, end.position)) why += ". Taking off and landing are the autopilot's (docs/integration.md)";
+    if (is_below(near.at, end.position)) {
+      why += std::string(". ") +
+             (std::string(end.name) == "start" ? "A vehicle on the ground needs the record column"
+                                               : "To land, give the record land") +
+             "; else stay at least so far above the ground (docs/formats.md)";
+    }
     refuse(end, why);
   }
 
@@ -201,13 +206,14 @@ class EndsOfFlight {
 
 void refuse_occupied_ends(const FlightWorld& world, const Vec3& origin) {
   const EndsOfFlight ends(world, origin);
-  ends.check({"start", world.start, 0.0, world.places.start});
+  if (!(world.column.radius > 0.0)) ends.check({"start", world.start, 0.0, world.places.start});
   const bool must_pass = world.via_policy == tern::ViaPolicy::kEnd;
   for (std::size_t i = 0; must_pass && i < world.vias.size(); ++i) {
     const Place place = i < world.places.vias.size() ? world.places.vias[i] : Place{};
     ends.check({"via", world.vias[i].position, world.vias[i].tolerance, place});
   }
-  if (world.settings.goal_place == "given") ends.check({"goal", world.goal, 0.0, world.places.goal});
+  const bool lands = world.landing.speed > 0.0;
+  if (world.settings.goal_place == "given" && !lands) ends.check({"goal", world.goal, 0.0, world.places.goal});
 }
 
 }  // namespace tern_host

@@ -182,6 +182,9 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
                {"work", {{"max", result.work_max}, {"p99", result.work_p99}, {"total", result.work_total}}},
                {"watched", watched_json(result.watched)},
                {"commands_hash", hash}};
+  const tern::Cylinder& column = world.column;
+  if (column.radius > 0.0) json["column"] = {column.base.z, column.radius, column.height};
+  if (world.landing.speed > 0.0) json["land"] = {world.landing.ground, world.landing.speed};
   if (result.blocked_by != tern::BlockedBy::kNothing) json["blocked"] = blocked_json(result);
   if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);

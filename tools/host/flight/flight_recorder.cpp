@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/flight/flight_pads.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -46,7 +47,8 @@ VehicleSettings vehicle_settings_of(const FlightSettings& s) {
 }
 
 void FlightRecorder::note_clearance(const Vehicle& vehicle) {
-  clearance_ = clearance(world_, vehicle.position());
+  const double aside = world_.settings.tracking_margin + world_.settings.pose_margin + kOverPad;
+  clearance_ = clearance_of_flight(world_, vehicle.position(), aside);
   const double before = result_.track.empty() ? clearance_ : result_.min_clearance;
   result_.min_clearance = std::min(before, clearance_);
 }

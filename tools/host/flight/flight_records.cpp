@@ -6,6 +6,7 @@
 #include "host/fence_record.hpp"
 #include "host/flight/air_records.hpp"
 #include "host/flight/fault_records.hpp"
+#include "host/flight/flight_pads.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/sensor_records.hpp"
@@ -114,6 +115,15 @@ tern::ViaPolicy policy_of(const Words& words, const Place& place) {
   return words[1] == "end" ? tern::ViaPolicy::kEnd : tern::ViaPolicy::kSkip;
 }
 
+/// The column stands above `start`; its axis is set once all records are read.
+tern::Cylinder read_column(const Words& words, const Place& place) {
+  const std::vector<double> values = numbers(words, place);
+  if (values.size() != 3) throw_count("column", "the ground's height, a radius and a height", values.size(), place);
+  return {{0.0, 0.0, values[0]},
+          within("column", values[1], {0.01, 100.0}, place),
+          within("column", values[2], {0.01, 100.0}, place)};
+}
+
 void add_record(const Words& words, const Place& place, FlightWorld& world) {
   const std::string& key = words[0];
   const auto setter = setters().find(key);
@@ -134,6 +144,13 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (key == "goal") {
     world.goal = vector(words, place);
     world.places.goal = place;
+  } else if (key == "column") {
+    world.column = read_column(words, place);
+    world.places.column = place;
+  } else if (key == "land") {
+    const std::vector<double> values = numbers(words, place);
+    if (values.size() != 2) throw_count(key, "the ground's height and a speed", values.size(), place);
+    world.landing = {values[0], within(key, values[1], {0.01, 100.0}, place)};
   } else if (key == "via") {
     world.vias.push_back(flown_via(words, world, place));
     world.places.vias.push_back(place);
@@ -234,7 +251,13 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   if (world.settings.goal_jitter.size > 0.0 && !world.vias.empty()) {
     throw RecordError({path, 0}, "goal_jitter is for worlds without vias: each new goal begins the mission anew");
   }
+  if (world.landing.speed > 0.0 && (!world.vias.empty() || world.settings.goal_jitter.size > 0.0)) {
+    throw RecordError({path, 0}, "land is for worlds without vias, and without goal_jitter");
+  }
   place_goal(world, {path, 0});
+  world.column.base.x = world.start.x;
+  world.column.base.y = world.start.y;
+  refuse_untrue_ground(world);
   return world;
 }
 

@@ -137,7 +137,14 @@ struct Appearance {
 struct PointPlaces {
   Place start;
   Place goal;
+  Place column;
   std::vector<Place> vias;
+};
+
+/// How to land at the goal.
+struct GoalOnGround {
+  double ground = 0.0;  ///< the height that the ground there does not exceed, metres
+  double speed = 0.0;   ///< of the descent, m/s; 0: the goal is in the air
 };
 
 struct FlightWorld {
@@ -148,6 +155,8 @@ struct FlightWorld {
   tern::Box boundary{};  ///< its faces are walls
   tern::Vec3 start{};
   tern::Vec3 goal{};
+  tern::Cylinder column{};  ///< as for RollingMap::assume_column(), for a start on the ground; a radius of 0: none
+  GoalOnGround landing;
   std::vector<FenceRecord> fences;
   std::vector<tern::Via> vias;  ///< points to pass on the way to the goal
   tern::ViaPolicy via_policy = tern::ViaPolicy::kEnd;

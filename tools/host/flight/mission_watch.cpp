@@ -59,8 +59,8 @@ void MissionWatch::move_goal(const tern::Vec3& goal, std::int64_t t) {
 }
 
 void MissionWatch::look(std::int64_t t, const tern::FlightReport& report) {
-  const std::size_t leg =
-      static_cast<std::size_t>(report.leg) + (report.reason == tern::FlightReason::kArrived ? 1 : 0);
+  const bool is_over = report.reason == tern::FlightReason::kArrived || report.reason == tern::FlightReason::kLanded;
+  const std::size_t leg = static_cast<std::size_t>(report.leg) + (is_over ? 1 : 0);
   approach(last_, t);
   while (leg_ < leg) {
     close(leg_++);

@@ -31,6 +31,26 @@ std::string vertical_move(Noise& random) {
          ends({random.within(-0.1, 0.1), random.within(-0.1, 0.1), heights[0]}, {ahead, 0.0, heights[1]});
 }
 
+/// From the ground to the ground, or to low roofs, past a few trees.
+std::string ground_to_ground(Noise& random) {
+  constexpr double kStands = 0.15;  // of the vehicle's centre above what it stands on
+  constexpr double kOver = 0.05;    // stated of the ground: the sensor errs
+  const double away = random.within(12.0, 25.0);
+  const double aside = random.within(-4.0, 4.0);
+  const auto roof = [&random] { return random.chance(0.5) ? 0.0 : random.within(0.1, 1.2); };
+  const double low = roof();
+  const double high = roof();
+  std::string text = record_line("boundary", {-14.0, -14.0, 0.0, away + 14.0, 14.0, 14.0});
+  if (low > 0.0) text += record_line("block", {-1.5, -1.5, 0.0, 1.5, 1.5, low});
+  if (high > 0.0) text += record_line("block", {away - 1.2, aside - 1.2, 0.0, away + 1.2, aside + 1.2, high});
+  for (int k = 0; k < 8; ++k) {
+    const double x = random.within(3.0, away - 3.0);
+    text += record_line("cylinder", {x, random.within(-5.0, 5.0), 0.0, 5.0, random.within(0.15, 0.4)});
+  }
+  return text + ends({0.0, 0.0, low + kStands}, {away, aside, high + kStands}) +
+         record_line("column", {low + kOver, 1.3, 3.0}) + record_line("land", {high + kOver, 0.5});
+}
+
 /// A level field under a sky without returns, half the time with a few trees.
 std::string open_field(Noise& random) {
   const double away = random.within(40.0, 60.0);
@@ -176,6 +196,8 @@ std::string outdoor_text(const std::string& family, Noise& random) {
       return vertical_move(random);
     case 'F':
       return open_field(random);
+    case 'K':
+      return ground_to_ground(random);
     case 'H':
       return hills(random);
     case 'T':

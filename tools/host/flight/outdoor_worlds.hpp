@@ -9,7 +9,7 @@
 
 namespace tern_host {
 
-/// One world under the sky, as records of its file: V, F, H, T30, E or R (docs/simulator.md).
+/// One world under the sky, as records of its file: V, F, K, H, T30, E or R (docs/simulator.md).
 std::string outdoor_text(const std::string& family, Noise& random);
 
 }  // namespace tern_host

@@ -48,7 +48,7 @@ Vec3 center_of(const tern::Voxel& v, const tern::GridSpec& grid) {
 }  // namespace
 
 Rooms::Rooms(const FlightWorld& world, const tern::RollingMap& map)
-    : world_(world), map_(map), radius_(radius_of(world.settings)) {}
+    : world_(world), map_(map), radius_(radius_of(world.settings)), pads_(pads_of(world)) {}
 
 double Rooms::from_solid(const Vec3& p, const LeaveOut& leave_out) const {
   const tern::Grid& safe = map_.safe();
@@ -57,13 +57,18 @@ double Rooms::from_solid(const Vec3& p, const LeaveOut& leave_out) const {
   const VoxelGaps there(left_, grid);
   const double most = radius_ + kSearchVoxels * grid.cell;
   double room = std::min(most, here.to_faces(grid)) - radius_;
+  const Pad* const pad = pad_below(pads_, p, kOverPad);
+  const VoxelGaps standing(pad != nullptr ? pad->place : p, grid);
+  if (pad != nullptr) room = std::min(room, p.z - pad->place.z);
   const tern::Voxel low = here.voxel_at(-most);
   const tern::Voxel high = here.voxel_at(most);
   for (int z = low.z; z <= high.z; ++z) {
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         const double distance = here.to({x, y, z});
-        const double kept = leaves_ ? std::min(radius_, there.to({x, y, z})) : radius_;
+        double kept = leaves_ ? std::min(radius_, there.to({x, y, z})) : radius_;
+        const bool is_ground = pad != nullptr && grid.origin.z + grid.cell * z < pad->ground;
+        if (is_ground) kept = std::min(kept, standing.to({x, y, z}));
         if (distance - kept >= room || !safe.obstacle({x, y, z})) continue;
         if (!leave_out || !leave_out(center_of({x, y, z}, grid))) room = distance - kept;
       }
@@ -85,7 +90,7 @@ double Rooms::from_fences(const Vec3& p) const {
 }
 
 double Rooms::from_world(const Vec3& p) const {
-  return clearance(world_, p) - (world_.settings.body_radius + world_.settings.tracking_margin);
+  return clearance_of_flight(world_, p, kOverPad) - (world_.settings.body_radius + world_.settings.tracking_margin);
 }
 
 void Rooms::rest_at(const Vec3& place) {

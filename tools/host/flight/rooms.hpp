@@ -7,7 +7,9 @@
 #define TERN_HOST_FLIGHT_ROOMS_HPP
 
 #include <functional>
+#include <vector>
 
+#include "host/flight/flight_pads.hpp"
 #include "host/flight/flight_world.hpp"
 #include "tern/map.hpp"
 
@@ -23,6 +25,7 @@ class Rooms {
   const tern::GridSpec& window() const { return map_.safe().spec(); }
 
   /// From all voxels that are not known to be free, and from the window's faces; at most a little more than a voxel.
+  /// Right above a pad, the vehicle may be as near to voxels that reach below its ground as it stands, and no lower.
   /// Voxels for whose centre `leave_out` answers true do not count; it may be empty.
   using LeaveOut = std::function<bool(const tern::Vec3& center)>;
   double from_solid(const tern::Vec3& p, const LeaveOut& leave_out = {}) const;
@@ -42,6 +45,7 @@ class Rooms {
   const FlightWorld& world_;
   const tern::RollingMap& map_;
   double radius_;
+  std::vector<Pad> pads_;
   bool leaves_ = false;  ///< something is within the radius of
   tern::Vec3 left_{};    ///< this place
 };

@@ -99,9 +99,7 @@ class Simulation {
     tern::FlightRecorder& record = tape_.recorder();
     record.bind(map_spec_, bound);
     check_world(world_, spec_, map_spec_);
-    for (const AssumedBall& ball : assumed_balls(world_, map_.safe().spec())) {
-      record.assume_free(ball.center, ball.radius, map_.assume_free(ball.center, ball.radius));
-    }
+    state_what_is_free();
     tern::FlightRefusal refusal;
     const tern::Status begun =
         flight_.start(spec_, map_, planner_, words_.data(), words_.size(), world_.start, 0, &refusal);
@@ -118,12 +116,33 @@ class Simulation {
     yaw_watch_ = std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](auto t) { return flight_.yaw(t); });
   }
 
-  /// The mission, and how to turn on it.
-  void set_wishes() {
-    const std::vector<tern::Via> mission = mission_of(world_);
+  /// What an operator knows before the flight.
+  void state_what_is_free() {
+    tern::FlightRecorder& record = tape_.recorder();
+    if (world_.column.radius > 0.0) return void(record.assume_column(world_.column, map_.assume_column(world_.column)));
+    for (const AssumedBall& ball : assumed_balls(world_, map_.safe().spec())) {
+      record.assume_free(ball.center, ball.radius, map_.assume_free(ball.center, ball.radius));
+    }
+  }
+
+  /// The mission, or where to land.
+  tern::Status set_mission(const std::vector<tern::Via>& mission) {
+    const GoalOnGround& on = world_.landing;
+    if (on.speed > 0.0) {
+      const tern::Status set = flight_.land(world_.goal, on.ground, on.speed);
+      tape_.recorder().land(world_.goal, on.ground, on.speed, set);
+      return set;
+    }
     const auto count = static_cast<std::int32_t>(mission.size());
     const tern::Status set = flight_.set_mission(mission.data(), count, world_.via_policy);
     tape_.recorder().set_mission(mission.data(), count, world_.via_policy, set);
+    return set;
+  }
+
+  /// The mission, and how to turn on it.
+  void set_wishes() {
+    const std::vector<tern::Via> mission = mission_of(world_);
+    const tern::Status set = set_mission(mission);
     if (set != tern::Status::kOk) {
       throw std::runtime_error(world_.name + ": the mission is refused: " + tern::status_name(set));
     }
@@ -207,7 +226,9 @@ class Simulation {
     if (!broken.empty()) return {"invariant", broken};
     if (report_.mode != tern::FlightMode::kRest || report_.reason == tern::FlightReason::kNone) return {};
     const std::string reason = tern::flight_reason_text(report_.reason);
-    if (report_.reason == tern::FlightReason::kArrived) return {"reached", reason};
+    const bool lands = world_.landing.speed > 0.0;
+    const auto end = lands ? tern::FlightReason::kLanded : tern::FlightReason::kArrived;
+    if (report_.reason == end) return {"reached", reason};
     return {"stuck", reason + last_plan()};
   }
 
