@@ -18,13 +18,14 @@ bool has_given_up(const tern::FlightReport& report) {
   const Reason r = report.reason;
   return report.mode == tern::FlightMode::kRest &&
          (r == Reason::kNearest || r == Reason::kNoProgress || r == Reason::kHemmedIn || r == Reason::kViaBlocked ||
-          r == Reason::kViaUnreachable);
+          r == Reason::kViaUnreachable || r == Reason::kGroundUnseen || r == Reason::kGroundUneven);
 }
 
 /// It is not under way: without a goal, at the goal, or because no frames come, which is said elsewhere.
 bool does_not_try(tern::FlightReason reason) {
   using Reason = tern::FlightReason;
-  return reason == Reason::kNoGoal || reason == Reason::kArrived || reason == Reason::kMapStale;
+  return reason == Reason::kNoGoal || reason == Reason::kArrived || reason == Reason::kLanded ||
+         reason == Reason::kMapStale;
 }
 
 }  // namespace

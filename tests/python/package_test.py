@@ -251,6 +251,26 @@ class Flights(unittest.TestCase):
         self.assertAlmostEqual(tick.stray, 0.25)
         self.assertEqual(tick.speed_share, 1.0)  # this map has no tracking margin
 
+    def test_from_the_ground_and_back_to_it(self):
+        rolling_map = tern.RollingMap((-12.8, -7.5, -0.6), 0.2, (128, 75, 20), 0.35)
+        with self.assertRaises(tern.TernError):
+            rolling_map.assume_column((0, 0, 0.05), -1.0, 3.0)
+        rolling_map.assume_column((0, 0, 0.05), 1.3, 3.0)
+        flight = tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 0.15), t=0)
+        with self.assertRaises(tern.TernError):
+            flight.land((0, 0, 0.15), 0.05, 0.0)
+        flight.land((0, 0, 0.15), 0.05, 0.5)
+        now, highest = 0, 0.0
+        while now < 20_000_000_000:
+            tick = flight.tick(now)
+            highest = max(highest, flight.command(now).position[2])
+            if tick.arrived:
+                break
+            now += flight.tick_ns
+        self.assertEqual(tick.reason, "it stands where it was to land")
+        self.assertAlmostEqual(highest, 0.8)
+        np.testing.assert_allclose(flight.command(now).position, [0, 0, 0.15], atol=1e-9)
+
     def test_no_return_is_what_is_stated(self):
         for stated in (0.0, 3.0):
             rolling_map = tern.RollingMap((0, 0, 0), 0.1, (64, 20, 20), 0.2, pixels=4096)

@@ -39,6 +39,12 @@ class RollingMap:
         """States, before take-off, that a ball is free."""
         require(lib.tern_map_assume_free(self.struct, ffi.new("tern_vec3*", vector(center)), radius), "ball")
 
+    def assume_column(self, base: Sequence[float], radius: float, height: float) -> None:
+        """States, before take-off, where the vehicle stands: an upright cylinder is free, and the ground below it is no
+        higher than its base. A flight may begin there."""
+        column = ffi.new("tern_cylinder*", (vector(base), radius, height))
+        require(lib.tern_map_assume_column(self.struct, column), "column")
+
     @property
     def busy(self) -> bool:
         """Is a job in work? Then it takes no frame; a flight's tick() goes on with the job, or finish() does."""
@@ -177,6 +183,11 @@ class Flight:
         """Sets the goal, wherever it is."""
         require(lib.tern_flight_set_goal(self.struct, ffi.new("tern_vec3*", vector(goal))), "goal")
 
+    def land(self, place: Sequence[float], ground: float, speed: float) -> None:
+        """Flies to the point above `place` and descends to it, at most at `speed`. `place`: of the vehicle's centre once
+        it stands; `ground`: a height that the ground there does not exceed."""
+        require(lib.tern_flight_land(self.struct, ffi.new("tern_vec3*", vector(place)), ground, speed), "landing")
+
     def stop(self) -> None:
         """Comes to rest soon and forgets the goal."""
         require(lib.tern_flight_stop(self.struct))
@@ -186,7 +197,7 @@ class Flight:
         report = ffi.new("tern_flight_report*")
         require(lib.tern_flight_tick(self.struct, t, report))
         reason = ffi.string(lib.tern_flight_reason_text(report.reason)).decode()
-        return Tick(_MODES[report.mode], reason, report.reason == lib.TERN_FLIGHT_ARRIVED, report.asked,
+        return Tick(_MODES[report.mode], reason, report.reason in (lib.TERN_FLIGHT_ARRIVED, lib.TERN_FLIGHT_LANDED), report.asked,
                     report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
                     report.frame_age, _BLOCKERS[report.blocked_by], np.array(triple(report.blocked_at)),
                     report.blocked_fence, report.stray, report.speed_share)
