@@ -51,7 +51,6 @@ tern::FlightSpec flight_spec_of(const Settings& settings) {
   spec.work_per_tick = static_cast<std::uint32_t>(s.work_per_tick);
   spec.plan_work = static_cast<std::uint32_t>(s.plan_work);
   spec.horizon = s.horizon;
-  spec.near = s.near;
   spec.yaw_rate = s.yaw_rate;
   spec.stale_after = std::llround(1e9 * settings.watch.stale_after);
   return spec;

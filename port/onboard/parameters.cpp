@@ -50,7 +50,6 @@ const std::vector<Parameter<Settings>> kParameters = {
   TERN_NUMBER("jerk", "m/s^3", 0.0, 1000.0, fly.jerk, "limit along each axis; 0: none"),
   TERN_NUMBER("time_weight", "", 0.001, 1e6, fly.time_weight, "how much time counts against smoothness"),
   TERN_NUMBER("horizon", "m", 0.5, 500.0, fly.horizon, "how far ahead plans lead; about 0.8 of range, less than half of window_x"),
-  TERN_NUMBER("near", "m", 0.0, 50.0, fly.near, "up to here, plans take the unseen for solid"),
   TERN_NUMBER("ground", "m", -1000.0, 10000.0, fly.ground, "height of the ground: the body stays above it; -1000: unknown"),
   TERN_NUMBER("ceiling", "m", -999.0, 10000.0, fly.ceiling, "greatest height of the body's centre; 1000 or more: none"),
   TERN_NUMBER("yaw_rate", "rad/s", 0.01, 100.0, fly.yaw_rate, "limit"),

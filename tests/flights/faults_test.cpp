@@ -46,11 +46,11 @@ TEST(FlightFaults, LostAndLateFramesCostOnlyTime) {
 }
 
 TEST(FlightFaults, ReasonsHaveWords) {
-  for (int k = 0; k < 12; ++k) {
+  for (int k = 0; k < 16; ++k) {
     const std::string mode = flight_mode_name(static_cast<FlightMode>(k));
     const std::string reason = flight_reason_text(static_cast<FlightReason>(k));
     EXPECT_EQ(mode == "unknown", k > static_cast<int>(FlightMode::kThreat)) << k;
-    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kMarginExceeded)) << k;
+    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kGroundUneven)) << k;
   }
 }
 

@@ -192,6 +192,7 @@ inline tern::FlightSpec flight_spec_of(const FlightSetting& s) {
   spec.work_per_tick = s.work_per_tick;
   spec.plan_work = s.plan_work;
   spec.horizon = 0.8 * s.range;
+  spec.near = 2.5;  // a vehicle that flies its fastest towards where the pillar appears
   return spec;
 }
 

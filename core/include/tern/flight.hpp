@@ -53,7 +53,8 @@ struct FlightSpec {
 };
 
 /// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
-/// near 2.5 m, yaw rate 2.5 rad/s, a map that is stale after a second without frames.
+/// near half of what the vehicle flies in a second and 2.5 m at most, yaw rate 2.5 rad/s, a map that is stale after a
+/// second without frames.
 FlightSpec flight_spec(const Limits& limits) noexcept;
 
 /// Words of 64 bits that a flight needs for a map of these dimensions; 0 if they are out of range.

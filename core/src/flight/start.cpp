@@ -16,6 +16,12 @@
 namespace tern {
 namespace {
 
+/// What a vehicle passes within this time, in seconds, its sensor will hardly show before the vehicle is there. With
+/// more, slow vehicles keep away from doors that they have not seen through yet; more than kMostNear metres, and fast
+/// ones see no way past a corner.
+constexpr double kNearTime = 0.5;
+constexpr double kMostNear = 2.5;
+
 /// Ranges of the spec's numbers.
 constexpr std::uint32_t kLeastWork = 256;
 constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
@@ -156,7 +162,7 @@ FlightSpec flight_spec(const Limits& limits) noexcept {
   spec.work_per_tick = 4000;
   spec.plan_work = 16000;
   spec.horizon = 8.0;
-  spec.near = 2.5;
+  spec.near = smaller(kMostNear, kNearTime * larger(limits.v_max.x, limits.v_max.y));
   spec.yaw_rate = 2.5;
   return spec;
 }

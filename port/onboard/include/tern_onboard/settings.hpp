@@ -43,7 +43,6 @@ struct FlySettings {
   double jerk = 4.0;
   double time_weight = 1000.0;
   double horizon = 6.0;
-  double near = 2.5;
   double ground = -1000.0;
   double ceiling = 1000.0;
   std::string yaw = "unseen";
