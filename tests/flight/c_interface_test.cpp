@@ -138,6 +138,10 @@ TEST(FlightC, BeginsOnTheGroundAndLands) {
   const tern_cylinder column{{0.0, 0.0, 0.05}, 1.3, 3.0};
   ASSERT_EQ(tern_map_assume_column(&c.map, &column), kOk);
   ASSERT_EQ(c.begin(), kOk);
+  tern_flight_refusal why{};
+  EXPECT_EQ(tern_flight_check_goal(&c.flight, nullptr, &why), kInvalid);
+  EXPECT_EQ(tern_flight_check_goal(&c.flight, &place, &why), static_cast<std::uint8_t>(tern::Status::kGoalOccupied));
+  EXPECT_NEAR(why.distance, 0.1, 1e-12);
   EXPECT_EQ(tern_flight_land(&c.flight, nullptr, 0.05, 0.5), kInvalid);
   EXPECT_EQ(tern_flight_land(&c.flight, &place, 0.05, -0.5), kInvalid);
   ASSERT_EQ(tern_flight_land(&c.flight, &place, 0.05, 0.5), kOk);

@@ -72,18 +72,20 @@ enum class BlockedBy : uint8_t {
 /// In English, for logs: "a voxel that was not seen free yet". Static strings; "unknown" for other numbers.
 const char* blocked_by_text(BlockedBy by) noexcept;
 
-/// Why Flight::start() refused.
+/// Why Flight::start() refused, or what Flight::check_goal() found.
 struct FlightRefusal {
   /// The field of FlightSpec, of the map or of the call. kNone if nothing was refused.
   Field field = Field::kNone;
   /// For kFences, and for a start that breaks a fence: the index in FlightSpec::fences; kNoFence if their pointer or
   /// count is wrong. Otherwise kNoFence.
   int32_t fence = kNoFence;
-  /// For kStartOccupied: the nearest thing that is not known to be free, kUnseen, kObstacle or kWindow.
+  /// For kStartOccupied: the nearest thing that is not known to be free, kUnseen, kObstacle or kWindow. For
+  /// kGoalOccupied: kObstacle.
   BlockedBy blocked_by = BlockedBy::kNothing;
-  /// Where, world frame, metres: the centre of that voxel, or the nearest point of the window's face.
+  /// Where, world frame, metres: the centre of that voxel, the nearest point of the window's face, or the stated
+  /// ground.
   Vec3 blocked_at = {0.0, 0.0, 0.0};
-  /// The start's distance from that voxel's cube or that face, metres.
+  /// The start's or the goal's distance from that voxel's cube, that face or that ground, metres.
   double distance = 0.0;
   /// The least distance allowed, metres: the map's radius plus its tracking margin.
   double needed = 0.0;
@@ -235,6 +237,12 @@ class Flight {
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves
   /// the goal as it was; kInvalidArgument before start().
   Status set_goal(const Vec3& goal) noexcept;
+  /// Says what is known of a goal at once, before or after it is set, and changes nothing: kOk, if nothing that was
+  /// seen, marked or stated (RollingMap::assume_column) is nearer to it than the radius, but what was not seen may be;
+  /// kGoalOccupied, if something is, and a flight would end beside it; kGoalFenced; kNonFiniteInput; kInvalidArgument
+  /// before start(). `why` receives what is in the way; it may be null. For a goal at the ground, fly to a point that
+  /// is FlightRefusal::needed above it, or call land(). Reads the voxels within the radius of the goal.
+  Status check_goal(const Vec3& goal, FlightRefusal* why = nullptr) const noexcept;
   /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
   /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m. If its `stop` is true,
   /// the vehicle comes to rest there, and stays for its `dwell`. The goal's tolerance, stop and dwell mean nothing,

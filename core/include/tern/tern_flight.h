@@ -147,6 +147,9 @@ uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, con
                           tern_flight_refusal* refusal);
 /* Sets the goal. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
+/* What is known of a goal at once: ok, goal_occupied, goal_fenced, non_finite_input or invalid_argument. `why` receives
+ * what is in the way; it may be null. */
+uint8_t tern_flight_check_goal(const tern_flight* flight, const tern_vec3* goal, tern_flight_refusal* why);
 /* Sets a mission: vias, and the goal as the last point, whose tolerance and stop mean nothing. ok, non_finite_input,
  * vias_full or invalid_argument. */
 uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, int32_t count, uint8_t policy);

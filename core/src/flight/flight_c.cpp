@@ -64,6 +64,10 @@ std::uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal) {
   return goal == nullptr ? kInvalid : code(object(flight).set_goal(*goal));
 }
 
+std::uint8_t tern_flight_check_goal(const tern_flight* flight, const tern_vec3* goal, tern_flight_refusal* why) {
+  return goal == nullptr ? kInvalid : code(object(flight).check_goal(*goal, why));
+}
+
 std::uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, std::int32_t count,
                                      std::uint8_t policy) {
   return code(object(flight).set_mission(points, count, static_cast<tern::ViaPolicy>(policy)));
