@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,27 @@ TEST(FlightPads, FlightsFromTheGroundLand) {
     EXPECT_EQ(result.reason, "it stands where it was to land") << name;
     EXPECT_EQ(tern_host::replay_flight(record).difference, "") << name;
   }
+}
+
+/// A landing at 12 m on a slope that rises from 6 m on, in steps of 0.1 m.
+std::string landing_on_slope(double degrees) {
+  const double rise = std::tan(degrees * 3.14159265358979 / 180.0);
+  const double ground = rise * 6.0;
+  std::string text = "boundary 0 -8 0 24 8 24\nsensor d435\nyaw unseen\nstart 3 0 1.5\n";
+  text += tern_host::record_line("goal", {12.0, 0.0, ground + 0.25 * rise + 0.2});
+  text += tern_host::record_line("land", {ground + 0.4 * rise + 0.05, 0.5});
+  for (int k = 61; k < 240; ++k) {
+    text += tern_host::record_line("block", {0.1 * k, -8.0, 0.0, 0.1 * (k + 1), 8.0, rise * (0.1 * k - 6.0)});
+  }
+  const std::string path = tern_test::own_folder() + "slope.txt";
+  tern_host::write_file(path, text);
+  return tern_host::simulate_flight(tern_host::read_flight_world(path, {})).reason;
+}
+
+/// Over a disc of 0.7 m, 10 degrees rise by 0.12 m and 30 by 0.4 m, two voxels.
+TEST(FlightPads, GentleSlopesAreLandedOnAndSteepOnesAreNot) {
+  EXPECT_EQ(landing_on_slope(10.0), "it stands where it was to land");
+  EXPECT_EQ(landing_on_slope(30.0), "it cannot land: the ground there is not flat, or something is on it");
 }
 
 /// A pole grows out of the place to land, once the vehicle descends: it is a threat, and nothing is touched.
