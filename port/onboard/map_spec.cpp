@@ -53,6 +53,7 @@ tern::FlightSpec flight_spec_of(const Settings& settings) {
   spec.horizon = s.horizon;
   spec.yaw_rate = s.yaw_rate;
   spec.stale_after = std::llround(1e9 * settings.watch.stale_after);
+  if (s.field_of_view > 0.0) spec.sensor.horizontal = s.field_of_view;
   return spec;
 }
 

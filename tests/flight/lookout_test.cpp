@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From where a vehicle looks at what blocks its way: which places it chooses, and how it flies there.
+// When a flight looks for a lookout, how it flies there and looks, and when it goes on.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -17,212 +17,324 @@ using namespace tern;
 using tern_test::expect_same;
 using tern_test::FlightRoom;
 
-/// A voxel two metres ahead, at the vehicle's height, that was not seen.
-constexpr Vec3 kHidden{2.125, 0.125, 1.125};
+constexpr Vec3 kGoal{8.125, 0.125, 1.125};
+constexpr std::int64_t kSecond = 1000000000;
 
-/// At rest, about to seek a lookout.
+/// At rest before a plane of voxels that nobody saw, from 3 m to 3.5 m along x.
 struct Stuck : FlightRoom {
   explicit Stuck(const std::vector<Box>& solid = {}) : FlightRoom(flight_spec(), solid) {
-    flight.set_goal({8.125, 0.125, 1.125});
-    state().facts.time = 2000000000;
-    state().cycle.aim.start.d[0] = start;
-    state().draft.takeover = state().facts.time;
-    state().block = {BlockedBy::kUnseen, kHidden, kNoFence};
-    state().search.turned = true;
+    EXPECT_EQ(flight.set_goal(kGoal), Status::kOk);
+    set_seen(false);
+    state().facts.time = 10 * kSecond;
+    look().note_tick(state().facts, {0, 0});
   }
-  bool seeks() { return state().search.seek_lookout(state().facts, state().block, state().cycle.hemmed_in); }
-  void begin() {
-    EXPECT_TRUE(seeks());
-    state().search.begin_lookout();
-    state().cycle.job = Job::kLookout;
+  Lookouts& look() { return state().lookouts; }
+  void set_seen(bool seen) {
+    Grid safe = map().safe();
+    const Box box{{3.0, -16.0, -2.0}, {3.5, 16.0, 4.0}};
+    EXPECT_EQ(seen ? safe.clear_box(box) : safe.mark_box(box), Status::kOk);
+    safe.inflate();
   }
-  Vec3 place() { return state().search.lookout_place(map(), state().block, start, state().tick_work); }
-  /// The place that is chosen, with the copy of the route still empty.
-  Vec3 choose() {
-    begin();
-    state().tick_work = Work{100000};
-    while (state().cycle.job == Job::kLookout) EXPECT_EQ(state().run_lookout(), Progress::kDone);
-    EXPECT_EQ(state().cycle.job, Job::kCopy);
-    return place();
+  /// So many nanoseconds, plans and frames later.
+  bool is_called_for(std::int64_t later, std::uint32_t plans, std::uint64_t frames, std::uint32_t dropped = 0) {
+    state().facts.time = 10 * kSecond + later;
+    state().facts.frames = frames;
+    return look().is_called_for(state().facts, state().nose, {plans, dropped});
+  }
+  /// Searches, in as many slices of `units` as it takes.
+  int search(std::uint32_t units = 100000) {
+    look().begin(state().facts, state().nose, kGoal);
+    int slices = 0;
+    for (; look().is_searching() && slices < 100000; ++slices) {
+      Work work(units);
+      look().advance(state().facts, work);
+    }
+    return slices;
+  }
+  void follow(std::int64_t later) {
+    state().facts.time += later;
+    look().follow(state().facts, state().nose);
   }
 };
 
-/// All is free: at the height of the hidden voxel, as near to the vehicle as a radius. The next one is in another
-/// direction.
-TEST(FlightLookout, IsLevelAndNear) {
+/// The end of what is committed stands still for half a second, three plans that were not dropped, and four frames.
+TEST(FlightLookout, IsCalledForOnceNothingGoesOn) {
   Stuck room;
-  expect_same(room.choose(), {room.start.x - 0.5, kHidden.y, kHidden.z});
-  EXPECT_EQ(room.state().search.sought, 1u << 4);
-  const Vec3 second = room.choose();
-  EXPECT_EQ(second.z, kHidden.z);
-  EXPECT_NE(room.state().search.sought, 1u << 4);
+  EXPECT_TRUE(room.is_called_for(500000000, 3, 4));
+  EXPECT_FALSE(room.is_called_for(499999999, 3, 4));
+  EXPECT_FALSE(room.is_called_for(500000000, 2, 4));
+  EXPECT_FALSE(room.is_called_for(500000000, 4, 4, 2));
+  EXPECT_FALSE(room.is_called_for(500000000, 3, 3));
+  room.look().not_before = 11 * kSecond;
+  EXPECT_FALSE(room.is_called_for(500000000, 3, 4));
+  EXPECT_TRUE(room.is_called_for(kSecond, 3, 4));
 }
 
-/// A ceiling right above the hidden voxel leaves no level place: half a radius lower, as far away as may be, and along
-/// the grid's axes, where the line of sight drops least across the voxel.
-TEST(FlightLookout, IsAsFlatAsThereIsRoom) {
-  Stuck room(std::vector<Box>{{{-15.0, -15.0, 1.75}, {15.0, 15.0, 2.0}}});
-  room.state().block.at.z += 0.25;
-  expect_same(room.choose(), {kHidden.x - 5.0, kHidden.y, kHidden.z});
+/// A plan that ends elsewhere begins it all anew.
+TEST(FlightLookout, IsNotCalledForWhilePlansLeadOn) {
+  Stuck room;
+  FlightState& state = room.state();
+  state.facts.time = 11 * kSecond;
+  state.facts.plans.in_flight.trajectory.origin.x += 0.3;
+  room.look().note_tick(state.facts, {3, 0});
+  EXPECT_TRUE(room.is_called_for(kSecond, 3, 4));
+  state.facts.time = 11 * kSecond;
+  state.facts.plans.in_flight.trajectory.origin.x += 0.2;
+  room.look().note_tick(state.facts, {3, 0});
+  EXPECT_FALSE(room.is_called_for(kSecond + 499999999, 6, 8));
+  EXPECT_FALSE(room.is_called_for(kSecond + 500000000, 5, 8));
+  EXPECT_TRUE(room.is_called_for(kSecond + 500000000, 6, 8));
 }
 
-/// Behind a wall nothing is seen of the voxel, and in a wall there is no place.
-TEST(FlightLookout, SeesTheVoxelPastWhatIsKnown) {
-  Stuck room(std::vector<Box>{{{1.25, -15.0, -2.0}, {1.5, 15.0, 4.0}}, {{2.75, -15.0, -2.0}, {3.0, 15.0, 4.0}}});
-  EXPECT_DOUBLE_EQ(room.choose().x, kHidden.x);
-  EXPECT_EQ(room.state().search.lookout.direction, 2);  // between the walls, a radius from each
-  EXPECT_FALSE(room.state().search.lookout.is_straight);
+TEST(FlightLookout, IsNotCalledForWithoutNeed) {
+  Stuck room;
+  FlightState& state = room.state();
+  room.look().left = 0;
+  EXPECT_FALSE(room.is_called_for(kSecond, 9, 9));
+  room.look().left = 1;
+  EXPECT_TRUE(room.is_called_for(kSecond, 9, 9));
+  state.facts.plans.in_flight.at_target = true;
+  state.facts.plans.in_flight.mission = state.facts.itinerary.number;
+  state.facts.plans.in_flight.branch = 1e9;
+  EXPECT_FALSE(room.is_called_for(kSecond, 9, 9)) << "the plan ends at the goal";
+  state.facts.plans.in_flight.at_target = false;
+  ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
+  EXPECT_FALSE(room.is_called_for(kSecond, 9, 9)) << "the map slides";
 }
 
-/// The vehicle rests below a slab and the hidden voxel is above it. A place to which a straight way is free comes
-/// before level ones above the slab.
-TEST(FlightLookout, IsAtTheEndOfAStraightFreeWay) {
-  Stuck room(std::vector<Box>{{{-15.0, -15.0, 2.25}, {3.0, 15.0, 2.5}}});
-  room.state().block.at.z = 3.125;
-  const Vec3 place = room.choose();
-  EXPECT_TRUE(room.state().search.lookout.is_straight);
-  EXPECT_GT(room.state().search.lookout.drop, 0.0);
-  EXPECT_GT(place.x, 3.0);
-  EXPECT_LT(place.z, 3.125);
+/// A vehicle that flies back and forth is called to look after 40 plans, and then after 40 more.
+TEST(FlightLookout, IsCalledForIfTheVehicleWanders) {
+  Stuck room;
+  FlightState& state = room.state();
+  state.facts.itinerary.wandering = 39;
+  EXPECT_FALSE(room.is_called_for(1, 1, 1));
+  state.facts.itinerary.wandering = 40;
+  EXPECT_TRUE(room.is_called_for(1, 1, 1));
+  room.search();
+  room.look().phase = LookoutPhase::kIdle;
+  room.look().not_before = 0;
+  EXPECT_FALSE(room.is_called_for(1, 1, 1));
+  state.facts.itinerary.wandering = 80;
+  EXPECT_TRUE(room.is_called_for(1, 1, 1));
 }
 
-/// None: the next step is another one.
-TEST(FlightLookout, WhereThereIsNoneAllDirectionsWereTried) {
-  Stuck room(std::vector<Box>{{{1.75, -15.0, -2.0}, {2.0, 15.0, 4.0}}, {{2.25, -15.0, -2.0}, {2.5, 15.0, 4.0}}});
-  room.begin();
-  room.state().tick_work = Work{100000};
-  EXPECT_EQ(room.state().run_lookout(), Progress::kDone);
-  EXPECT_EQ(room.state().search.sought, kAround);
-  EXPECT_FALSE(room.state().search.seeks);
-  EXPECT_EQ(room.state().cycle.job, Job::kCopy);
+/// From where the vehicle is, the camera sees what is ahead: it stays, and looks.
+TEST(FlightLookout, IsWhereTheVehicleIsIfThatWillDo) {
+  Stuck room;
+  room.search();
+  EXPECT_EQ(room.look().phase, LookoutPhase::kOnWay);
+  EXPECT_EQ(room.look().left, kMostLookouts - 1);
+  expect_same(room.look().place(), room.start);
+  EXPECT_TRUE(room.look().needs_no_plan(room.state().facts));
+  room.follow(0);
+  EXPECT_EQ(room.look().phase, LookoutPhase::kLooking);
+  EXPECT_GT(room.state().looking_at(room.state().facts.time).x, 3.0);
 }
 
-/// A search goes on in the next tick where it does not fit into one.
+/// As soon as the voxels are seen, the flight goes on.
+TEST(FlightLookout, EndsOnceAllIsSeen) {
+  Stuck room;
+  room.search();
+  room.follow(kSecond);
+  room.follow(kSecond);
+  EXPECT_TRUE(room.look().is_active());
+  room.set_seen(true);
+  room.follow(1);
+  EXPECT_EQ(room.look().phase, LookoutPhase::kIdle);
+  EXPECT_EQ(room.look().tried.failures, 0);
+  EXPECT_EQ(room.look().tried.kept_voxels(), 0);
+}
+
+/// Voxels that do not come into sight are remembered, and so is the lookout.
+TEST(FlightLookout, RemembersWhatItDidNotSee) {
+  Stuck room;
+  room.search();
+  room.follow(0);
+  room.follow(2 * kSecond);  // the gimbal points there
+  EXPECT_GE(room.look().aligned, 0);
+  room.state().facts.frames += 3;
+  room.follow(149999999);
+  EXPECT_TRUE(room.look().is_active());
+  room.follow(1);
+  EXPECT_EQ(room.look().phase, LookoutPhase::kIdle);
+  EXPECT_EQ(room.look().tried.failures, 1);
+  EXPECT_EQ(room.look().tried.kept_voxels(), smaller(room.look().search.lookout.hidden_count, kTriedVoxels));
+}
+
+/// Without frames, a look ends after four seconds.
+TEST(FlightLookout, LooksForFourSecondsAtMost) {
+  Stuck room;
+  room.search();
+  room.follow(0);
+  room.follow(4 * kSecond);
+  EXPECT_TRUE(room.look().is_active());
+  room.follow(1);
+  EXPECT_FALSE(room.look().is_active());
+}
+
+/// A lookout that cannot be flown to is of no use.
+TEST(FlightLookout, IsGivenUpIfNoPlanLeadsThere) {
+  Stuck room;
+  room.search();
+  room.look().search.lookout.place.y += 2.0;
+  EXPECT_FALSE(room.look().needs_no_plan(room.state().facts));
+  for (int k = 1; k < kFailedCycles; ++k) room.look().note_failure(room.state().facts);
+  EXPECT_TRUE(room.look().leads());
+  room.look().note_failure(room.state().facts);
+  EXPECT_EQ(room.look().phase, LookoutPhase::kIdle);
+  EXPECT_EQ(room.look().tried.failures, 1);
+  room.search();
+  room.look().search.lookout.place.y += 2.0;
+  room.follow(100 * kSecond);
+  EXPECT_EQ(room.look().phase, LookoutPhase::kIdle) << "too late";
+  EXPECT_EQ(room.look().tried.failures, 2);
+}
+
+/// A search for an end that is no longer committed says nothing, nor does one for another goal.
+TEST(FlightLookout, OutdatedAnswersAreDropped) {
+  for (const bool moves : {true, false}) {
+    Stuck room;
+    FlightState& state = room.state();
+    room.look().begin(state.facts, state.nose, kGoal);
+    if (moves) state.facts.plans.in_flight.trajectory.origin.x += 1.0;
+    if (!moves) state.facts.itinerary.points[0].position.y += 1.0;
+    Work work(100000);
+    room.look().advance(state.facts, work);
+    EXPECT_EQ(room.look().phase, LookoutPhase::kIdle);
+    EXPECT_EQ(room.look().left, kMostLookouts);
+    EXPECT_GT(room.look().not_before, state.facts.time);
+  }
+}
+
+/// All of the way is known: a vehicle at rest flies to the end of it, once.
+TEST(FlightLookout, LeadsAlongAKnownWayOnce) {
+  Stuck room;
+  room.set_seen(true);
+  room.search();
+  EXPECT_EQ(room.look().phase, LookoutPhase::kOnWay);
+  EXPECT_EQ(room.look().search.lookout.hidden_count, 0);
+  EXPECT_LT(distance(room.look().place(), kGoal), 0.5);
+  room.look().phase = LookoutPhase::kIdle;
+  room.search();
+  EXPECT_EQ(room.look().phase, LookoutPhase::kIdle);
+  EXPECT_TRUE(room.look().found_nothing);
+}
+
+/// A search does not depend on its slices.
 TEST(FlightLookout, IsSoughtInSlices) {
   Stuck whole;
-  const Vec3 place = whole.choose();
+  whole.search();
   Stuck sliced;
-  sliced.begin();
-  int slices = 0;
-  for (; sliced.state().cycle.job == Job::kLookout; ++slices) {
-    sliced.state().tick_work = Work{1};
-    sliced.state().run_lookout();
-  }
-  EXPECT_GT(slices, 2);
-  expect_same(sliced.place(), place);
+  EXPECT_GT(sliced.search(1), 10);
+  expect_same(sliced.look().place(), whole.look().place());
+  expect_same(sliced.look().search.lookout.look, whole.look().search.lookout.look);
 }
 
-/// While the map slides, nothing is known of it: the search waits, and nothing new is said to be in the way.
-TEST(FlightLookout, IsSoughtOnceTheMapIsThere) {
-  Stuck room;
-  FlightState& state = room.state();
-  room.mark({{0.5, -0.5, 0.5}, {0.75, 0.5, 1.5}});
-  room.begin();
-  ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
-  state.tick_work = Work{100000};
-  EXPECT_EQ(state.run_lookout(), Progress::kMore);
-  EXPECT_EQ(state.tick_work.units(), 100000u);
-  EXPECT_EQ(state.cycle.job, Job::kLookout);
-  EXPECT_EQ(state.search.searched, 0);
-  EXPECT_EQ(state.block.note_near(state.facts.map, room.start, state.facts.map.safe(), state.tick_work), kAnywhere);
-  expect_same(state.block.at, kHidden);
-}
-
-/// Plans that go on along the committed plan, or to the same place, lead to no other lookout.
-TEST(FlightLookout, CountsOnceOnTheWayThere) {
-  Stuck room;
-  FlightState& state = room.state();
-  state.search.seeks = true;
-  state.draft.plan.place = {5.0, 0.0, 1.0};
-  const auto counts_after = [&](bool extends, const Vec3& aim_before) {
-    state.draft.extends = extends;
-    state.facts.plans.in_flight.place = aim_before;
-    state.search.note_commit(state.draft, state.facts.plans.in_flight);
-    return state.search.lookouts;
-  };
-  EXPECT_EQ(counts_after(true, room.start), 0);
-  EXPECT_EQ(counts_after(false, state.draft.plan.place), 0);
-  EXPECT_TRUE(state.search.seeks);
-  EXPECT_EQ(counts_after(false, room.start), 1);
-  EXPECT_FALSE(state.search.seeks);
-}
-
-/// Straight away from the voxel, ten radii or up to what is in the way.
-TEST(FlightLookout, TheWayAwayIsStraight) {
-  Stuck room;
-  room.state().search.sought = kAround;
-  const auto away = [&] {
-    EXPECT_TRUE(room.state().search.goes_away() || room.seeks());
-    return room.place();
-  };
-  EXPECT_NEAR(away().x, room.start.x - 5.0, 1e-9);
-  room.mark({{-2.25, -1.0, 0.0}, {-2.0, 1.0, 2.0}});
-  EXPECT_NEAR(away().x, room.start.x - 1.5, 1e-9);
-}
-
-/// None before the look around, eight after it; none for a fence or the window's face, or if something is too near.
+/// Eight, unless the vehicle comes half a metre nearer to its goal.
 TEST(FlightLookout, AreFew) {
   Stuck room;
   FlightState& state = room.state();
-  const auto seeks = [&](BlockedBy by, bool turned, int lookouts) {
-    state.block.by = by;
-    state.search.turned = turned;
-    state.search.lookouts = lookouts;
-    return room.seeks();
-  };
-  EXPECT_FALSE(seeks(BlockedBy::kUnseen, false, 0));
-  EXPECT_TRUE(seeks(BlockedBy::kUnseen, true, 7));
-  EXPECT_FALSE(seeks(BlockedBy::kUnseen, true, 8));
-  EXPECT_TRUE(seeks(BlockedBy::kObstacle, true, 0));
-  EXPECT_FALSE(seeks(BlockedBy::kFence, true, 0));
-  EXPECT_FALSE(seeks(BlockedBy::kWindow, true, 0));
-  state.cycle.hemmed_in = true;
-  EXPECT_FALSE(seeks(BlockedBy::kUnseen, true, 0));
+  EXPECT_TRUE(room.look().left == kMostLookouts);
+  room.look().left = 3;
+  state.facts.plans.in_flight.trajectory.origin.x += 0.4;
+  room.look().note_tick(state.facts, {1, 0});
+  EXPECT_EQ(room.look().left, 3);
+  state.facts.plans.in_flight.trajectory.origin.x += 0.2;
+  room.look().note_tick(state.facts, {1, 0});
+  EXPECT_EQ(room.look().left, kMostLookouts);
 }
 
-/// What was tried counts within four radii.
-TEST(FlightLookout, WhatWasTriedElsewhereDoesNotCount) {
-  Stuck room;
-  FlightState& state = room.state();
-  state.search.turned = true;
-  state.search.sought = kAround;
-  state.search.stuck_at = {room.start.x + 1.9, room.start.y, room.start.z};
-  state.search.note_place(state.facts);
-  EXPECT_TRUE(state.search.turned);
-  EXPECT_EQ(state.search.sought, kAround);
-  state.search.stuck_at = {room.start.x + 2.1, room.start.y, room.start.z};
-  state.search.note_place(state.facts);
-  EXPECT_FALSE(state.search.turned);
-  EXPECT_EQ(state.search.sought, 0u);
-  expect_same(state.search.stuck_at, room.start);
-}
-
-/// The vehicle flies to a lookout past no point of the mission, looks at the voxel all the way, and only then flies on.
-/// It counts until the vehicle comes nearer.
-TEST(FlightLookout, IsFlownToToItsEnd) {
+/// The map stands still during a search, and no other plan is made; then the vehicle flies to the lookout past no point
+/// of the mission, looks at what it should see, and goes on to its goal once it has seen that.
+TEST(FlightLookout, IsFlownTo) {
   FlightRoom room;
   Via points[2];
-  points[0].position = {5.0, 0.0, 1.125};
-  points[1].position = {8.0, 0.0, 1.125};
+  points[0].position = {6.0, 0.0, 1.125};
+  points[1].position = kGoal;
   ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
   FlightState& state = room.state();
-  state.block = {BlockedBy::kUnseen, kHidden, kNoFence};
-  state.facts.itinerary.nearest = 1.0;
-  state.search.sought = kAround & ~1u;  // the far side
-  state.search.seeks = true;
-  ASSERT_TRUE(room.tick_until([&] { return room.report.committed == 1; }));
-  const Vec3 place{kHidden.x + 1.5, kHidden.y, kHidden.z};
+  Grid safe = room.map().safe();
+  const Box hidden{{3.0, -16.0, -2.0}, {3.5, 16.0, 4.0}};
+  ASSERT_EQ(safe.mark_box(hidden), Status::kOk);
+  safe.inflate();
+  ASSERT_TRUE(room.tick_until([&] { return state.facts.rests() && room.report.committed > 0; }));
+  state.lookouts.begin(state.facts, state.nose, kGoal);
+  ASSERT_TRUE(room.tick_until([&] { return state.lookouts.leads(); }));
+  const Vec3 place = state.lookouts.place();
+  EXPECT_GT(distance(place, room.position()), 1.0);
+  ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.latest().looks_out; }));
   expect_same(room.flight.rest_position(), place);
-  EXPECT_FALSE(state.search.seeks);
-  EXPECT_EQ(state.search.lookouts, 1);
-  while (distance(room.position(), place) > 0.02 && room.time < 5000000000) {
-    expect_same(room.flight.command(room.time).look_at, kHidden);
-    expect_same(room.flight.rest_position(), place);
-    room.tick();
-  }
-  EXPECT_EQ(state.search.lookouts, 1);
+  EXPECT_EQ(state.facts.plans.latest().passages, 0);
+  ASSERT_TRUE(room.tick_until([&] { return room.report.mode == FlightMode::kLook; }));
+  EXPECT_LT(distance(room.position(), place), 0.06);
+  EXPECT_EQ(state.lookouts.phase, LookoutPhase::kLooking);
+  Grid now = room.map().safe();  // the window slid
+  ASSERT_EQ(now.clear_box(hidden), Status::kOk);
+  now.inflate();
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
-  EXPECT_EQ(state.search.lookouts, 0);
+}
+
+/// A vehicle at rest waits for a lookout before it looks around, as long as frames come and lookouts are left.
+TEST(FlightLookout, ComesBeforeALookAround) {
+  Stuck room;
+  FlightState& state = room.state();
+  state.facts.frames = 1;
+  state.facts.frame_time = state.facts.time;
+  for (int k = 0; k < 2 * kIdleCycles; ++k) state.give_up();
+  EXPECT_FALSE(state.search.is_looking);
+  room.look().found_nothing = true;
+  state.give_up();
+  EXPECT_TRUE(state.search.is_looking);
+  EXPECT_TRUE(room.look().left > 0 && !room.look().may_help(state.facts));
+  room.look().found_nothing = false;
+  EXPECT_TRUE(room.look().may_help(state.facts));
+  state.facts.time += kSecond;
+  EXPECT_FALSE(room.look().may_help(state.facts));
+}
+
+/// Where it begins its way to a goal beyond the horizon, a vehicle looks in all directions before it looks for a
+/// lookout, once. Nearer to the goal, or further on its way, it does not.
+TEST(FlightLookout, ComesAfterASurveyWhereTheWayBegins) {
+  Stuck room;
+  FlightState& state = room.state();
+  ASSERT_EQ(room.flight.set_goal({10.125, 0.125, 1.125}), Status::kOk);
+  EXPECT_TRUE(state.search.wants_survey(state.facts));
+  state.facts.frames = 1;
+  state.facts.frame_time = state.facts.time;
+  for (int k = 0; k < kIdleCycles; ++k) state.give_up();
+  EXPECT_TRUE(state.search.is_looking);
+  state.facts.time += 3720000000;  // four directions of 0.928 s, and no stare
+  state.facts.frame_time = state.facts.time;
+  state.give_up();
+  EXPECT_FALSE(state.search.is_looking);
+  EXPECT_FALSE(state.search.turned);
+  EXPECT_FALSE(state.search.wants_survey(state.facts));
+  ASSERT_EQ(room.flight.set_goal({10.125, 0.125, 1.125}), Status::kOk);
+  EXPECT_TRUE(state.search.wants_survey(state.facts));
+  state.facts.plans.in_flight.trajectory.origin.x -= 2.125;  // more than four radii
+  EXPECT_FALSE(state.search.wants_survey(state.facts));
+  ASSERT_EQ(room.flight.set_goal(kGoal), Status::kOk);
+  state.facts.plans.in_flight.trajectory.origin.x += 2.125;
+  EXPECT_FALSE(state.search.wants_survey(state.facts));
+}
+
+/// After a look around, a search may find what it did not find before: the flight gives up only after that.
+TEST(FlightLookout, IsSoughtOnceMoreAfterALookAround) {
+  Stuck room;
+  FlightState& state = room.state();
+  room.look().found_nothing = true;
+  state.facts.frames = 1;
+  for (int k = 0; k < kIdleCycles; ++k) state.give_up();
+  EXPECT_TRUE(state.search.is_looking);
+  state.facts.time += 6720000000;
+  state.facts.frame_time = state.facts.time;
+  state.give_up();
+  EXPECT_TRUE(state.search.turned);
+  EXPECT_FALSE(state.facts.itinerary.parked);
+  EXPECT_FALSE(room.look().found_nothing);
+  room.look().found_nothing = true;
+  state.give_up();
+  EXPECT_EQ(state.facts.itinerary.reason, FlightReason::kNoProgress);
 }
 
 }  // namespace

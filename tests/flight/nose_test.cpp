@@ -105,14 +105,16 @@ TEST(FlightNose, RestingVehiclesTurnToTheirWay) {
   ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
   FlightState& state = room.state();
   ASSERT_TRUE(room.tick_until([&] { return state.facts.rests(); }, 100));
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode, FlightYawMode::kFixed);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, false, state.report.committed).mode,
+            FlightYawMode::kFixed);
   room.flight.set_goal({8.125, 0.125, 1.125});
   state.search.look_at = {3.0, -4.0, 1.0};
-  const NoseWish wish = state.nose.wish_of(state.facts, state.search.look_at, state.report.committed);
+  const NoseWish wish = state.nose.wish_of(state.facts, state.search.look_at, false, state.report.committed);
   EXPECT_EQ(wish.mode, FlightYawMode::kTowardsPoint);
   EXPECT_EQ(wish.point.y, -4.0);
   state.facts.itinerary.parked = true;
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode, FlightYawMode::kFixed);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, false, state.report.committed).mode,
+            FlightYawMode::kFixed);
 }
 
 /// Also on the way to a place from where something is to be seen.
@@ -122,11 +124,11 @@ TEST(FlightNose, VehiclesOnTheWayToALookoutLookAtWhatItIsFor) {
   ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
   state.facts.plans.in_flight.at_target = false;
   state.search.look_at = {3.0, -4.0, 1.0};
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode, FlightYawMode::kFixed);
-  state.facts.plans.in_flight.looks_out = true;
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode,
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, false, state.report.committed).mode,
+            FlightYawMode::kFixed);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, true, state.report.committed).mode,
             FlightYawMode::kTowardsPoint);
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).point.y, -4.0);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, true, state.report.committed).point.y, -4.0);
 }
 
 TEST(FlightNose, YawPlansInWorkAreDroppedIfTheyTurnTooSharplyNow) {
@@ -247,23 +249,24 @@ TEST(FlightNose, WaitsOnlyForWhatIsOutOfViewOnTheWay) {
   EXPECT_TRUE(state.nose.waits_for_nose(state.facts));
 }
 
-/// An eighth of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.
+/// A quarter of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.
 TEST(FlightNose, PlannedOnesHoldEachDirectionForLonger) {
   FlightRoom room;
   FlightState& state = room.state();
   const auto sector_after = [&](double seconds) {
     return state.search.sector_at(state.facts, state.nose, state.search.look_since + nanoseconds(seconds));
   };
-  EXPECT_EQ(sector_after(0.614), 0);
-  EXPECT_EQ(sector_after(0.615), 1);
-  EXPECT_EQ(sector_after(8 * 0.61416), 8);
-  EXPECT_EQ(sector_after(1e3), kDirections + kStares + 1);
+  EXPECT_EQ(sector_after(0.928), 0);
+  EXPECT_EQ(sector_after(0.929), 1);
+  EXPECT_EQ(sector_after(4 * 0.9284), kDirections);
+  EXPECT_EQ(sector_after(4 * 0.928 + 3.0), kDirections);
+  EXPECT_EQ(sector_after(4 * 0.929 + 3.0), kDirections + 1);
   FlightYaw yaw{};
   yaw.acceleration_max = 5.0;
   yaw.start = {1.0, 0.0};
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_EQ(sector_after(1.194), 0);
-  EXPECT_EQ(sector_after(1.195), 1);
+  EXPECT_EQ(sector_after(1.508), 0);
+  EXPECT_EQ(sector_after(1.509), 1);
 }
 
 }  // namespace

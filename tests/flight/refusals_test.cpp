@@ -79,6 +79,22 @@ TEST(FlightRefusals, NameTheFieldOfTheSpec) {
   EXPECT_EQ(answer_to([](Starting& s) { s.how.horizon = 0.0; }), invalid(Field::kHorizon));
 }
 
+TEST(FlightRefusals, SensorsThatSeeNothingOrCannotBe) {
+  const auto with = [](auto change) { return answer_to([change](Starting& s) { change(s.how.sensor); }); };
+  const Answer refused = invalid(Field::kSensor);
+  EXPECT_EQ(with([](FlightSensor& s) { s.horizontal = 2.0 * M_PI; }), kStarts);
+  EXPECT_EQ(with([](FlightSensor& s) { s.horizontal = 6.29; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.horizontal = 0.0; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.vertical = 3.0; }), kStarts);
+  EXPECT_EQ(with([](FlightSensor& s) { s.vertical = 3.01; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.vertical = 0.0; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.pitch_max = -0.1; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.pitch_max = 1.51; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.pitch_min = -1.5; }), kStarts);
+  EXPECT_EQ(with([](FlightSensor& s) { s.pitch_min = -1.51; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.nearest = -0.1; }), refused);
+}
+
 /// The window is 32 m long. Plans that lead half of that ahead, or further, would leave it before it can follow.
 TEST(FlightRefusals, HorizonsOfHalfTheWindow) {
   EXPECT_EQ(answer_to([](Starting& s) { s.how.horizon = 15.9; }), kStarts);
@@ -94,6 +110,9 @@ TEST(FlightRefusals, NameTheFieldThatIsNotFinite) {
     EXPECT_EQ(answer_to([bad](Starting& s) { s.how.horizon = bad; }), refused(Field::kHorizon));
     EXPECT_EQ(answer_to([bad](Starting& s) { s.how.near = bad; }), refused(Field::kNear));
     EXPECT_EQ(answer_to([bad](Starting& s) { s.how.yaw_rate = bad; }), refused(Field::kYawRate));
+    EXPECT_EQ(answer_to([bad](Starting& s) { s.how.sensor.vertical = bad; }), refused(Field::kSensor));
+    EXPECT_EQ(answer_to([bad](Starting& s) { s.how.sensor.pitch_min = bad; }), refused(Field::kSensor));
+    EXPECT_EQ(answer_to([bad](Starting& s) { s.how.sensor.offset.z = bad; }), refused(Field::kSensor));
     EXPECT_EQ(answer_to([bad](Starting& s) { s.how.time_weight = bad; }), refused(Field::kTimeWeight));
     EXPECT_EQ(answer_to([bad](Starting& s) { s.how.limits.a_horizontal = bad; }), refused(Field::kAHorizontal));
   }

@@ -14,9 +14,9 @@ constexpr std::uint64_t kGoldenHash = 0x71edb71ee747224au;
 /// The same for the commands of the flight of flight_run.hpp. Capacities decide how much work a plan takes, and so when
 /// the next one begins: the hash of the mcu profile is that of a Cortex-M7.
 #if defined(TERN_PROFILE_MCU)
-constexpr std::uint64_t kGoldenFlightHash = 0xf7608bf1d61378d4u;
+constexpr std::uint64_t kGoldenFlightHash = 0x048d57bd601950e2u;
 #else
-constexpr std::uint64_t kGoldenFlightHash = 0xc6ac6d17e714b839u;
+constexpr std::uint64_t kGoldenFlightHash = 0xe8f50ff3c0c32767u;
 #endif
 
 }  // namespace tern_golden

@@ -138,7 +138,6 @@ TEST(MapC, ACppMapThatIsNotBoundHasAnswers) {
   tern::RollingMap map;
   tern::Box added{};
   EXPECT_EQ(map.learned(), 0u);
-  EXPECT_EQ(map.slack(), 0);
   EXPECT_EQ(map.seen_rows(), nullptr);
   EXPECT_EQ(map.frame_work(10, 10), 0u);
   EXPECT_FALSE(map.take_added(added));

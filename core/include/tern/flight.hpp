@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "tern/fence.hpp"
+#include "tern/flight_sensor.hpp"
 #include "tern/map.hpp"
 #include "tern/planner.hpp"
 #include "tern/request.hpp"
@@ -50,11 +51,13 @@ struct FlightSpec {
   /// Nanoseconds without a new frame after which FlightReport::map_stale is true, >= 0; 0: never, for flights over a
   /// map that nobody fills.
   int64_t stale_after = 1000000000;
+  /// The sensor, as the flight takes it into account when it chooses from where to look.
+  FlightSensor sensor = kLevelCamera;
 };
 
 /// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
 /// near half of what the vehicle flies in a second and 2.5 m at most, yaw rate 2.5 rad/s, a map that is stale after a
-/// second without frames.
+/// second without frames, and a level camera.
 FlightSpec flight_spec(const Limits& limits) noexcept;
 
 /// Words of 64 bits that a flight needs for a map of these dimensions; 0 if they are out of range.

@@ -256,8 +256,8 @@ class RollingMap {
   /// job is not finished. A trajectory that was proven clear on safe() before is still clear outside this box, grown by
   /// the radius.
   bool take_added(Box& world) noexcept;
-  /// MapSpec::slack of the last bind.
-  int32_t slack() const noexcept;
+  /// The spec of the last bind.
+  const MapSpec& spec() const noexcept;
 
  private:
   MapState* state_ = nullptr;

@@ -255,6 +255,7 @@ enum class Field : uint8_t {
   kRateMax,            ///< Limits::rate_max
   kTracks,             ///< Request::tracks or track_count, or a track in it
   kRestClear,          ///< Request::rest_clear
+  kSensor,             ///< FlightSpec::sensor
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

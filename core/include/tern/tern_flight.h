@@ -16,6 +16,7 @@
 #ifdef __cplusplus
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
+typedef tern::FlightSensor tern_flight_sensor;
 typedef tern::FlightSpec tern_flight_spec;
 typedef tern::FlightRefusal tern_flight_refusal;
 typedef tern::FlightReport tern_flight_report;
@@ -24,12 +25,18 @@ typedef tern::Command tern_command;
 extern "C" {
 #else
 /* clang-format off */
+/* What the sensor sees: tern::FlightSensor. rad, m. */
+typedef struct {
+  double horizontal, vertical, pitch_min, pitch_max, nearest;
+  tern_vec3 offset;
+} tern_flight_sensor;
 /* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
 typedef struct {
   tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
   double horizon, near, yaw_rate;
   const tern_fence* fences; int32_t fence_count;
   int64_t stale_after; /* nanoseconds */
+  tern_flight_sensor sensor;
 } tern_flight_spec;
 /* Why a flight was refused: tern::FlightRefusal. */
 typedef struct {

@@ -229,6 +229,7 @@ const char* field_name(Field field) noexcept {
     case Field::kNear: return "near";
     case Field::kYawRate: return "yaw rate";
     case Field::kStaleAfter: return "stale_after";
+    case Field::kSensor: return "sensor";
   }
   return "unknown";
 }

@@ -46,8 +46,7 @@ struct Commitment : Destination {
   bool lifts;      ///< the plan leads straight up from `departed` on the ground, or straight down to it
   double ground;   ///< the height that the ground there does not exceed
   bool lands;      ///< it leads down to `departed`, to stay there
-  bool looks_out;  ///< the plan leads to a place from where `hidden` may be seen
-  Vec3 hidden;     ///< world frame
+  bool looks_out;  ///< the plan leads to a lookout
 
   /// The takeover, which the planner's request fixed. Nanoseconds since the flight's start, as all times of a flight.
   std::int64_t begin() const noexcept { return planned.begin; }

@@ -40,19 +40,15 @@ void Lead::shorten(const FlightFacts& flight, std::int64_t takeover) noexcept {
   if (takeover - flight.time > saved * flight.spec.tick) --late;
 }
 
-void Cycle::begin(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept {
+/// The ways to a lookout are tried with all kinds of copies, too: they lead through known space, and where unseen
+/// voxels are solid, they might leave the vehicle no voxel to begin at.
+void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
+                  std::int64_t takeover) noexcept {
   hemmed_in = is_hemmed_in(flight, takeover);
   remainder_is_free = false;
-  job = Job::kLookout;
-  if (!search.seeks || search.goes_away()) begin_copy(flight, search, takeover);
-}
-
-/// A straight way to a lookout needs no route around unseen voxels. If those were solid, they might leave the vehicle
-/// no voxel to begin at.
-void Cycle::begin_copy(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept {
   const GridSpec& window = flight.map.route().spec();
   int attempt = (search.idle_cycles + flight.itinerary.wandering / kFruitlessAttempt) % kAttempts;
-  if (search.seeks) attempt = search.goes_away() ? 1 : (search.lookout.is_straight ? 2 : 0);
+  if (lookouts.leads()) attempt = lookouts.failed_cycles % kAttempts;
   const double near = attempt < 2 ? flight.spec.near : 0.0;
   all_free = !(near > 0.0);
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
@@ -98,29 +94,30 @@ Progress Cycle::prove_remainder(const FlightFacts& flight, Draft& draft, Work& w
 }
 
 /// A plan leads to the same place until little of the way is left, so that plans are compared by their times.
-bool Cycle::follow_aim(const FlightFacts& flight, std::int64_t takeover) noexcept {
+bool Cycle::follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   aim.begin(joint_at(in_flight.trajectory, in_flight.time_at(takeover), kZero), flight.itinerary.number);
   cut_off = cut_off && !all_free;
   if (!remainder_is_free) return false;
   aim.follow_points(in_flight, flight.itinerary, takeover);
-  const bool follows = in_flight.looks_out || (in_flight.at_target && in_flight.target == flight.itinerary.last()) ||
-                       aim.way_length(in_flight.place) > kLeastWay * flight.spec.horizon;
-  if (!follows) return false;
+  const bool leads_far = (in_flight.at_target && in_flight.target == flight.itinerary.last()) ||
+                         aim.way_length(in_flight.place) > kLeastWay * flight.spec.horizon;
+  const bool leads_there = in_flight.looks_out && same(in_flight.place, lookouts.place());
+  if (lookouts.leads() ? !leads_there : in_flight.looks_out || !leads_far) return false;
   aim.follow_place(in_flight);
   looks_out = in_flight.looks_out;
   job = Job::kAskPlan;
   return true;
 }
 
-void Cycle::choose_aim(const FlightFacts& flight, const RestSearch& search, const Blockage& block,
-                       std::int64_t takeover, Work& work) noexcept {
-  looks_out = search.seeks;
+void Cycle::choose_aim(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
+                       std::int64_t takeover) noexcept {
+  looks_out = lookouts.leads();
   const bool leads_out = hemmed_in && search.idle_cycles % 2 == 1;
   aim.choose_points(flight, takeover);
   if (leads_out || looks_out) aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
-  if (looks_out) aim.lead_to(search.lookout_place(flight.map, block, aim.start.d[0], work));
+  if (looks_out) aim.lead_to(lookouts.place());
   if (leads_out) aim.choose_way_out(flight);
   ask(flight);
 }
@@ -130,10 +127,10 @@ void Cycle::list_passages(const FlightFacts& flight, const Report& found, Draft&
   draft.list_passages(aim, found, plan);
 }
 
-bool Cycle::choose_draft(const FlightFacts& flight, bool planned, const Vec3& hidden, Draft& draft) noexcept {
+bool Cycle::choose_draft(const FlightFacts& flight, bool planned, Draft& draft) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   draft.clear();
-  if (planned) draft.compose(aim, plan, hemmed_in, looks_out, hidden);
+  if (planned) draft.compose(aim, plan, hemmed_in, looks_out);
   if (remainder_is_free) {
     const double remainder = duration(in_flight.planned) - in_flight.time_at(draft.takeover);
     const bool is_better =

@@ -12,10 +12,10 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "flight/aim.hpp"
-#include "flight/blocked.hpp"
 #include "flight/branch_search.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
+#include "flight/lookouts.hpp"
 #include "flight/rest_search.hpp"
 #include "flight/route_copy.hpp"
 #include "tern/planner.hpp"
@@ -25,7 +25,6 @@ namespace tern {
 /// What the cycle does next.
 enum class Job : std::uint8_t {
   kIdle,
-  kLookout,    ///< seeks a place from where the sensor may see what blocks the way
   kCopy,       ///< copies the route grid
   kFollow,     ///< checks whether the remainder of the planner's plan in flight is a candidate
   kRemainder,  ///< proves that remainder free on the copy
@@ -75,9 +74,8 @@ struct Cycle {
 
   void leave() noexcept { job = Job::kIdle; }
   void forget_cut_off() noexcept { cut_off = false; }
-  /// The job is kLookout if a lookout is to be found, otherwise kCopy.
-  void begin(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept;
-  void begin_copy(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept;
+  void begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
+             std::int64_t takeover) noexcept;
   /// The draft is a lift: only its proof is left to do.
   void begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcept;
   Progress copy(const RollingMap& map, Work& work) noexcept;
@@ -85,10 +83,10 @@ struct Cycle {
   Progress begin_remainder(const FlightFacts& flight, Draft& draft) noexcept;
   Progress prove_remainder(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
   /// Chooses the aim of the plan in flight, if that is still good enough. False if another one is to be chosen.
-  bool follow_aim(const FlightFacts& flight, std::int64_t takeover) noexcept;
+  bool follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
   /// Chooses another aim.
-  void choose_aim(const FlightFacts& flight, const RestSearch& search, const Blockage& block, std::int64_t takeover,
-                  Work& work) noexcept;
+  void choose_aim(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
+                  std::int64_t takeover) noexcept;
   Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   /// The planner is done. `found` says what it found.
@@ -102,8 +100,8 @@ struct Cycle {
   void list_passages(const FlightFacts& flight, const Report& found, Draft& draft) noexcept;
   /// Makes the draft: the planner's trajectory, or the remainder of the planner's plan in flight. The remainder wins
   /// unless the new plan leads elsewhere or arrives earlier, and does not pass the next point much later. False if
-  /// there is neither. `hidden`: see Commitment.
-  bool choose_draft(const FlightFacts& flight, bool planned, const Vec3& hidden, Draft& draft) noexcept;
+  /// there is neither.
+  bool choose_draft(const FlightFacts& flight, bool planned, Draft& draft) noexcept;
   /// Waits for the end of a slide, then begins to prove the draft. From here on the map stands still. kFailed if the
   /// draft cannot be proven.
   Progress begin_proof(const FlightFacts& flight, Draft& draft) noexcept;

@@ -30,8 +30,7 @@ void Draft::extend(const Commitment& in_flight) noexcept {
   extends = true;
 }
 
-void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out,
-                    const Vec3& hidden) noexcept {
+void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out) noexcept {
   static_cast<Destination&>(plan) = aim;
   plan.planned = planned;
   plan.branch = 0.0;
@@ -40,7 +39,6 @@ void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, b
   plan.departed = aim.start.d[0];
   plan.lifts = plan.lands = false;
   plan.looks_out = looks_out;
-  plan.hidden = hidden;
 }
 
 void Draft::lift(const FlightFacts& flight, const Vec3& to, double speed, const Vec3& stand, double ground) noexcept {

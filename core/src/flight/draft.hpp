@@ -34,8 +34,8 @@ struct Draft {
   void clear() noexcept { extends = false; }
   /// Becomes the remainder of the planner's plan in flight.
   void extend(const Commitment& in_flight) noexcept;
-  /// Becomes the planner's trajectory. `hidden` may be seen from its end if it looks out.
-  void compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out, const Vec3& hidden) noexcept;
+  /// Becomes the planner's trajectory.
+  void compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out) noexcept;
   /// Becomes a lift from where the vehicle rests at the takeover, straight to a place. `stand` and `ground`: where it
   /// stands before or after it, and the height that the ground there does not exceed.
   void lift(const FlightFacts& flight, const Vec3& to, double speed, const Vec3& stand, double ground) noexcept;

@@ -44,6 +44,7 @@ Status Flight::stop() noexcept {
   state_->facts.itinerary.forget_goal();
   state_->facts.landing.is_asked = false;
   state_->search.end_look();
+  state_->lookouts.try_anew();
   state_->evasion.ask_for_stop();
   state_->cycle.leave();
   return Status::kOk;
@@ -66,7 +67,7 @@ Status Flight::tick(int64_t t) noexcept {
 Command Flight::command(int64_t t) const noexcept {
   if (state_ == nullptr) return Command{};
   const std::int64_t time = state_->facts.time_to_answer(t);
-  return {state_->facts.plans.sample_at(time), state_->search.looking_at(state_->facts, state_->nose, time)};
+  return {state_->facts.plans.sample_at(time), state_->looking_at(time)};
 }
 
 /// The map, too, takes any time for its next frame: frames carry times of the same clock.

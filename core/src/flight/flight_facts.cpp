@@ -11,7 +11,7 @@ namespace {
 
 /// How far a window's middle may be off the vehicle after it moved: a voxel, and along x half a word and the slack.
 Vec3 offset_after_move(const RollingMap& map) {
-  return map.safe().spec().cell * Vec3{0.5 * kWordBits + map.slack() + 1.0, 1.0, 1.0};
+  return map.safe().spec().cell * Vec3{0.5 * kWordBits + map.spec().slack + 1.0, 1.0, 1.0};
 }
 
 /// How far a plan leads away from `center` along an axis, from time `t` on.

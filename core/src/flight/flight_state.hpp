@@ -16,6 +16,7 @@
 #include "flight/draft.hpp"
 #include "flight/evasion.hpp"
 #include "flight/flight_facts.hpp"
+#include "flight/lookouts.hpp"
 #include "flight/nose.hpp"
 #include "flight/rest_search.hpp"
 #include "flight/watch.hpp"
@@ -32,6 +33,7 @@ class FlightState {
   Draft draft;  ///< of the cycle or of the evasion: at most one of them is at work
   Watch watch;
   RestSearch search;
+  Lookouts lookouts;
   Blockage block;  ///< what ended the last proof or plan to the goal
   Nose nose;
   FlightReport report;
@@ -49,6 +51,9 @@ class FlightState {
   void end_evasion() noexcept;
   bool is_busy() const noexcept { return cycle.job != Job::kIdle || evasion.is_running; }
 
+  /// The place that the sensor should see at time `t`.
+  Vec3 looking_at(std::int64_t t) const noexcept;
+
   // report.cpp: the vehicle's surroundings, and the report of a tick
   double note_block_near_vehicle() noexcept;
   void finish_report(std::uint32_t spent) noexcept;
@@ -60,8 +65,8 @@ class FlightState {
 
   // results.cpp: what the results of a cycle mean to the other parts
   void begin_cycle() noexcept;
+  bool look_out() noexcept;
   Progress run_job() noexcept;
-  Progress run_lookout() noexcept;
   Progress choose_aim() noexcept;
   Progress end_planner() noexcept;
   void end_without_plan(const Report& found) noexcept;

@@ -44,7 +44,7 @@ bool FlightState::begin_lift() noexcept {
   const bool climbs = in_flight.lifts && from.z < top - kSamePlace;
   const Landing& landing = facts.landing;
   const bool lands =
-      landing.is_asked && is_over && !climbs && !search.seeks && facts.itinerary.is_reached_by(in_flight);
+      landing.is_asked && is_over && !climbs && !lookouts.is_active() && facts.itinerary.is_reached_by(in_flight);
   if (!climbs && !lands) return false;
   ++report.asked;
   cycle.begin_lift(facts, draft.takeover);

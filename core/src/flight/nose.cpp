@@ -25,7 +25,7 @@ constexpr double kSeekPart = 0.5;
 constexpr double kSameWish = 0.1;
 /// A look around stays this much longer in each direction than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
-constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
+constexpr double kQuarterTurn = 0.5 * kPi;
 /// NoseWish::commits of a wish that no yaw plan was made for.
 constexpr std::uint32_t kNoCommits = 0xFFFFFFFFu;
 
@@ -121,11 +121,12 @@ YawSample Nose::at(std::int64_t t) const noexcept {
 
 /// The wish is as asked for, unless the nose must turn to the next thing to see. It must if the vehicle rests or flies
 /// to a lookout, or if the committed plan ends soon and that thing is out of view.
-NoseWish Nose::wish_of(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits) const noexcept {
+NoseWish Nose::wish_of(const FlightFacts& flight, const Vec3& look_at, bool looks_out,
+                       std::uint32_t commits) const noexcept {
   NoseWish wanted{yaw.mode, yaw.point, yaw.heading, commits};
   const CommittedPlans& plans = flight.plans;
   const bool ends_soon = distance(flight.position(), plans.latest().end()) < kSeekPart * flight.spec.horizon;
-  const bool looks = flight.rests() || plans.latest().looks_out || (ends_soon && waits_for_nose(flight));
+  const bool looks = flight.rests() || looks_out || (ends_soon && waits_for_nose(flight));
   const bool turns_there = flight.itinerary.goes_on() && !flight.itinerary.is_reached_by(plans.in_flight) && looks;
   if (!turns_there && wanted.mode != FlightYawMode::kTowardsUnseen) return wanted;
   wanted.mode = FlightYawMode::kTowardsPoint;
@@ -134,7 +135,8 @@ NoseWish Nose::wish_of(const FlightFacts& flight, const Vec3& look_at, std::uint
 }
 
 /// Spends a share of the tick's work. No plan for the trajectory waits for it.
-void Nose::turn(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits, Work& work) noexcept {
+void Nose::turn(const FlightFacts& flight, const Vec3& look_at, bool looks_out, std::uint32_t commits,
+                Work& work) noexcept {
   if (!is_planned) return;
   if (has_waiting && flight.time >= waiting.begin) {
     in_flight = waiting;
@@ -143,7 +145,7 @@ void Nose::turn(const FlightFacts& flight, const Vec3& look_at, std::uint32_t co
   drop_late(flight);
   const bool is_due = !is_pending && !has_waiting && soonest_turn(flight) >= in_flight.begin + kLeastTurn;
   if (is_due) {
-    const NoseWish wanted = wish_of(flight, look_at, commits);
+    const NoseWish wanted = wish_of(flight, look_at, looks_out, commits);
     if (!same_wish(wanted, wish)) begin(flight, wanted);
   }
   if (is_pending) advance(flight, work);
@@ -226,7 +228,7 @@ bool Nose::waits_for_nose(const FlightFacts& flight) const noexcept {
 
 /// A planned turn begins late, and takes time to speed up and to slow down.
 double Nose::seconds_per_direction(const FlightSpec& spec) const noexcept {
-  double seconds = kEighthTurn / spec.yaw_rate + kLookTime;
+  double seconds = kQuarterTurn / spec.yaw_rate + kLookTime;
   if (is_planned) seconds += spec.yaw_rate / yaw.acceleration_max + 1e-9 * kNoseTicks * static_cast<double>(spec.tick);
   return seconds;
 }

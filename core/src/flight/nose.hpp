@@ -58,8 +58,8 @@ struct Nose {
 
   void set(const FlightFacts& flight, const FlightYaw& wanted) noexcept;
   /// Goes on with the pending yaw plan, or begins one if the wish has changed. `look_at`: the next thing to see.
-  /// `commits`: plans committed so far.
-  void turn(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits, Work& work) noexcept;
+  /// `looks_out`: a lookout needs the nose there. `commits`: plans committed so far.
+  void turn(const FlightFacts& flight, const Vec3& look_at, bool looks_out, std::uint32_t commits, Work& work) noexcept;
   /// Notes whether something that was not seen yet ended the last proof.
   void note_view(const RollingMap& map, const ProofReport& found) noexcept;
 
@@ -67,7 +67,8 @@ struct Nose {
   Status check(const FlightSpec& spec, const FlightYaw& wanted) const noexcept;
   YawSample at(std::int64_t t) const noexcept;
   /// The wish at this tick; the arguments are those of turn().
-  NoseWish wish_of(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits) const noexcept;
+  NoseWish wish_of(const FlightFacts& flight, const Vec3& look_at, bool looks_out,
+                   std::uint32_t commits) const noexcept;
   /// The next thing to see is outside the field of view: the flight goes on once the nose has turned.
   bool waits_for_nose(const FlightFacts& flight) const noexcept;
   /// How long a look around takes to turn to the next direction and see there, seconds.

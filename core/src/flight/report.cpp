@@ -7,9 +7,9 @@
 namespace tern {
 namespace {
 
-FlightMode mode_of(const FlightFacts& facts, const Watch& watch, const RestSearch& search) {
+FlightMode mode_of(const FlightFacts& facts, const Watch& watch, bool looks) {
   if (watch.shows_threat(facts)) return FlightMode::kThreat;
-  if (facts.hovers()) return search.is_looking ? FlightMode::kLook : FlightMode::kRest;
+  if (facts.hovers()) return looks ? FlightMode::kLook : FlightMode::kRest;
   const Commitment& in_flight = facts.plans.in_flight;
   return in_flight.time_at(facts.time) < in_flight.branch ? FlightMode::kFly : FlightMode::kStop;
 }
@@ -22,7 +22,7 @@ double FlightState::note_block_near_vehicle() noexcept {
 }
 
 void FlightState::finish_report(std::uint32_t spent) noexcept {
-  report.mode = mode_of(facts, watch, search);
+  report.mode = mode_of(facts, watch, search.is_looking || lookouts.phase == LookoutPhase::kLooking);
   report.reason = facts.itinerary.reason;
   if (report.reason == FlightReason::kNone && !facts.hovers()) report.reason = facts.stray.reason();
   report.stray = facts.stray.error;

@@ -11,17 +11,25 @@ namespace tern {
 /// plan takes over from the brake once the speed that is left is reached.
 void FlightState::begin_cycle() noexcept {
   const bool is_free = !facts.plans.has_waiting && !evasion.stop_asked && !watch.is_running;
-  if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound()) return;
+  if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound() || look_out()) return;
   draft.begin(facts, cycle.lead.ticks(facts.spec));
   if (begin_lift()) return;
   const Commitment& in_flight = facts.plans.in_flight;
   const bool stays = facts.itinerary.is_reached_by(in_flight) || facts.itinerary.dwells_after(in_flight);
-  const bool looks_for_ground = facts.landing.is_asked && search.seeks;
+  const bool looks_for_ground = facts.landing.is_asked && lookouts.is_active();
   if (stays && !looks_for_ground && facts.rests_at(draft.takeover)) return;
   if (facts.is_too_fast_at(draft.takeover)) return evasion.ask_to_slow();
   ++report.asked;
-  cycle.begin(facts, search, draft.takeover);
-  if (cycle.job == Job::kLookout) search.begin_lookout();
+  cycle.begin(facts, search, lookouts, draft.takeover);
+}
+
+/// A search for a lookout takes some ticks, in which the map stands still and no other plan is made.
+bool FlightState::look_out() noexcept {
+  const PlanCounts plans{report.asked, report.dropped};
+  const bool is_called_for = !search.wants_survey(facts) && lookouts.is_called_for(facts, nose, plans);
+  if (is_called_for) lookouts.begin(facts, nose, search.look_at);
+  if (lookouts.is_searching()) lookouts.advance(facts, tick_work);
+  return lookouts.is_searching() || lookouts.needs_no_plan(facts);
 }
 
 // One line a job: a table.
@@ -29,7 +37,6 @@ void FlightState::begin_cycle() noexcept {
 Progress FlightState::run_job() noexcept {
   switch (cycle.job) {
     case Job::kIdle: return Progress::kMore;
-    case Job::kLookout: return run_lookout();
     case Job::kCopy: return cycle.copy(facts.map, tick_work);
     case Job::kFollow: return cycle.begin_remainder(facts, draft);
     case Job::kRemainder: return cycle.prove_remainder(facts, draft, tick_work);
@@ -47,16 +54,10 @@ Progress FlightState::run_job() noexcept {
 }
 // clang-format on
 
-Progress FlightState::run_lookout() noexcept {
-  const Progress progress = search.find_lookout(facts, block, draft.takeover, tick_work);
-  if (progress == Progress::kDone) cycle.begin_copy(facts, search, draft.takeover);
-  return progress;
-}
-
 Progress FlightState::choose_aim() noexcept {
-  if (cycle.follow_aim(facts, draft.takeover)) return Progress::kDone;
+  if (cycle.follow_aim(facts, lookouts, draft.takeover)) return Progress::kDone;
   facts.itinerary.clear_suspicion(facts);
-  cycle.choose_aim(facts, search, block, draft.takeover, tick_work);
+  cycle.choose_aim(facts, search, lookouts, draft.takeover);
   return Progress::kDone;
 }
 
@@ -101,8 +102,7 @@ bool FlightState::note_fault(const Report& found) noexcept {
 }
 
 void FlightState::choose_draft(bool planned) noexcept {
-  const Vec3& hidden = search.seeks ? block.at : facts.plans.in_flight.hidden;
-  if (!cycle.choose_draft(facts, planned, hidden, draft)) fail();
+  if (!cycle.choose_draft(facts, planned, draft)) fail();
 }
 
 /// The sensor should see next what ended the proof of the draft. If the flight gave up, or something is too near to the
@@ -162,14 +162,14 @@ bool FlightState::commit() noexcept {
 /// flies back and forth without end.
 void FlightState::enter_draft() noexcept {
   if (!draft.extends && !evasion.is_running && !draft.plan.looks_out) {
-    if (facts.itinerary.count_plan(facts, cycle.aim.start.d[0])) search.forget_lookouts();
+    facts.itinerary.count_plan(facts, cycle.aim.start.d[0]);
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
   cycle.leave();
   evasion.leave();
   if (draft.changes_committed_plan(facts.plans)) ++report.committed;
-  search.note_commit(draft, facts.plans.in_flight);
+  search.note_commit();
   watch.note_commit(draft.extends, draft.takeover);
   if (!draft.extends) facts.stray.note_plan();
   facts.plans.commit(draft.plan, draft.extends);
@@ -184,11 +184,17 @@ void FlightState::fail() noexcept {
 void FlightState::give_up() noexcept {
   cycle.leave();
   evasion.leave();
-  if (!facts.rests() || facts.itinerary.parked || !search.count_idle()) return;
+  if (!facts.rests() || facts.itinerary.parked) return;
+  lookouts.note_failure(facts);
+  if (!search.count_idle()) return;
   if (report.plan == Status::kGoalFenced && cycle.aim.at_target && !cycle.hemmed_in) {
     return park(FlightReason::kNoProgress);
   }
-  const FlightReason why = search.after_failed_cycle(facts, block, cycle.hemmed_in, cycle.cut_off, nose);
+  const bool is_at_end = cycle.hemmed_in || cycle.cut_off || facts.itinerary.is_right_before(facts);
+  if (!is_at_end && !search.wants_survey(facts) && lookouts.may_help(facts)) return;
+  const bool had_turned = search.turned;
+  const FlightReason why = search.after_failed_cycle(facts, cycle.hemmed_in, cycle.cut_off, nose);
+  if (why == FlightReason::kNoProgress && !had_turned && lookouts.searches_again(facts)) return;
   if (why != FlightReason::kNone) park(why);
 }
 
@@ -233,7 +239,8 @@ bool FlightState::leave_out(std::int32_t point, FlightReason why) noexcept {
 /// Forgets all reasons to give up.
 void FlightState::try_anew() noexcept {
   facts.itinerary.try_anew();
-  search.try_anew();
+  search.try_anew(facts.position());
+  lookouts.try_anew();
   cycle.forget_cut_off();
   block = kNoBlockage;
 }

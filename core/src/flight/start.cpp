@@ -26,6 +26,9 @@ constexpr double kMostNear = 2.5;
 constexpr std::uint32_t kLeastWork = 256;
 constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
 constexpr double kLeastYawRate = 1e-3;
+constexpr double kFullTurn = 6.2831853071795865;  // 2 pi, rounded up
+constexpr double kWidestVertical = 3.0;
+constexpr double kSteepestPitch = 1.5;
 
 std::size_t state_words() {
   return (sizeof(FlightState) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
@@ -38,7 +41,17 @@ Verdict invalid(Field field) {
 Verdict check_finite(const FlightSpec& spec) {
   if (!finite(spec.horizon)) return {Status::kNonFiniteInput, Field::kHorizon};
   if (!finite(spec.near)) return {Status::kNonFiniteInput, Field::kNear};
-  return finite(spec.yaw_rate) ? kAccepted : Verdict{Status::kNonFiniteInput, Field::kYawRate};
+  if (!finite(spec.yaw_rate)) return {Status::kNonFiniteInput, Field::kYawRate};
+  const FlightSensor& s = spec.sensor;
+  const bool sees = finite({s.horizontal, s.vertical, s.nearest}) && finite({s.pitch_min, s.pitch_max, 0.0});
+  return sees && finite(s.offset) ? kAccepted : Verdict{Status::kNonFiniteInput, Field::kSensor};
+}
+
+bool sensor_valid(const FlightSensor& sensor) {
+  const bool sees = sensor.horizontal > 0.0 && sensor.horizontal <= kFullTurn && sensor.vertical > 0.0 &&
+                    sensor.vertical <= kWidestVertical && sensor.nearest >= 0.0;
+  return sees && sensor.pitch_min >= -kSteepestPitch && sensor.pitch_max <= kSteepestPitch &&
+         sensor.pitch_min <= sensor.pitch_max;
 }
 
 Verdict check_ranges(const FlightSpec& spec) {
@@ -47,6 +60,7 @@ Verdict check_ranges(const FlightSpec& spec) {
   if (!(spec.horizon > 0.0)) return invalid(Field::kHorizon);
   if (spec.near < 0.0) return invalid(Field::kNear);
   if (spec.yaw_rate < kLeastYawRate) return invalid(Field::kYawRate);
+  if (!sensor_valid(spec.sensor)) return invalid(Field::kSensor);
   return spec.stale_after >= 0 ? kAccepted : invalid(Field::kStaleAfter);
 }
 
@@ -169,7 +183,7 @@ FlightSpec flight_spec(const Limits& limits) noexcept {
 
 size_t flight_words(const Voxel& dims) noexcept {
   const std::size_t grid = grid_words(dims);
-  return grid == 0 ? 0 : state_words() + grid;
+  return grid == 0 ? 0 : state_words() + grid + LookoutSearch::words(dims);
 }
 
 Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words,
@@ -187,7 +201,10 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   const Status rests = prove_start(state->facts, state->draft, why);
   if (rests != Status::kOk) return rests;
   why = FlightRefusal{};
-  const Status bound = state->cycle.route.bind(map, words + state_words(), word_count - state_words());
+  const Voxel& dims = map.safe().spec().dims;
+  state->lookouts.words = words + state_words() + grid_words(dims);
+  state->lookouts.try_anew();
+  const Status bound = state->cycle.route.bind(map, words + state_words(), grid_words(dims));
   if (bound == Status::kOk) state_ = state;
   return bound;
 }

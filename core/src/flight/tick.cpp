@@ -18,15 +18,21 @@ void FlightState::tick(std::int64_t t) noexcept {
   step_map();
   run_watch();
   if (watch.lacks_beside(facts)) watch.note_beside(note_block_near_vehicle());
-  nose.turn(facts, search.looking_at(facts, nose, facts.time), report.committed, tick_work);
+  lookouts.note_tick(facts, {report.asked, report.dropped});
+  lookouts.follow(facts, nose);
+  nose.turn(facts, looking_at(facts.time), lookouts.is_active(), report.committed, tick_work);
   advance();
   finish_report(facts.spec.work_per_tick - least(tick_work.units(), facts.spec.work_per_tick));
 }
 
-/// The map gets half of the tick's work, or three quarters if the cycle is idle. A copy or a proof reads the map, which
-/// must not change meanwhile.
+Vec3 FlightState::looking_at(std::int64_t t) const noexcept {
+  return lookouts.is_active() ? lookouts.look_at(facts.plans.sample_at(t).position) : search.looking_at(facts, nose, t);
+}
+
+/// The map gets half of the tick's work, or three quarters if the cycle is idle. A copy, a proof or a search for a
+/// lookout reads the map, which must not change meanwhile.
 void FlightState::step_map() noexcept {
-  if (watch.is_running || evasion.is_running || cycle.reads_map()) return;
+  if (watch.is_running || evasion.is_running || cycle.reads_map() || lookouts.is_searching()) return;
   if (!facts.map.busy()) facts.follow_vehicle();
   if (!facts.map.busy()) return;
   Share share(tick_work, tick_work.operations() - tick_work.operations() / (cycle.job == Job::kIdle ? 4 : 2));

@@ -208,8 +208,8 @@ Status RollingMap::forget_time() noexcept {
   return Status::kOk;
 }
 
-int32_t RollingMap::slack() const noexcept {
-  return state_ == nullptr ? 0 : state_->spec.slack;
+const MapSpec& RollingMap::spec() const noexcept {
+  return state_->spec;
 }
 
 const uint64_t* RollingMap::seen_rows() const noexcept {

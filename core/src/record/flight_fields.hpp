@@ -116,6 +116,12 @@ void list_flight_spec(Words& words, Spec& spec) {
   words(spec.near);
   words(spec.yaw_rate);
   words(spec.stale_after);
+  words(spec.sensor.horizontal);
+  words(spec.sensor.vertical);
+  words(spec.sensor.pitch_min);
+  words(spec.sensor.pitch_max);
+  words(spec.sensor.nearest);
+  words(spec.sensor.offset);
 }
 
 template <typename Words, typename AnyHeading>

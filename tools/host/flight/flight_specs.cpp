@@ -47,6 +47,18 @@ tern::MapSpec map_spec_of(const FlightWorld& world) {
   return spec;
 }
 
+tern::FlightSensor flight_sensor_of(const FlightSettings& s) {
+  const bool is_lidar = s.sensor == "lidar";
+  tern::FlightSensor sensor = tern::kLevelCamera;
+  sensor.horizontal = is_lidar ? 2.0 * std::acos(-1.0) : std::min(s.fov_horizontal, 3.0);
+  sensor.vertical = std::min(s.fov_vertical, 3.0);
+  sensor.pitch_min = std::clamp(s.mount.pitch + s.mount.gimbal_low, -1.5, 1.5);
+  sensor.pitch_max = std::clamp(s.mount.pitch + s.mount.gimbal_high, sensor.pitch_min, 1.5);
+  sensor.nearest = s.sensor_min;
+  sensor.offset = s.mount.offset;
+  return sensor;
+}
+
 tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   tern::FlightSpec spec = tern::flight_spec(limits_of(s));
   spec.tick = std::llround(1e9 / s.tick_hz);
@@ -54,6 +66,7 @@ tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   spec.plan_work = 4 * spec.work_per_tick;
   spec.horizon = kHorizon * s.sensor_range;
   spec.yaw_rate = s.yaw_rate;
+  spec.sensor = flight_sensor_of(s);
   return spec;
 }
 

@@ -13,6 +13,9 @@ namespace tern_host {
 /// The window around the start; from below the floor to above the ceiling, where that is within its height.
 tern::MapSpec map_spec_of(const FlightWorld& world);
 
+/// What the vehicle's sensor sees, without the further cameras.
+tern::FlightSensor flight_sensor_of(const FlightSettings& settings);
+
 /// Without fences.
 tern::FlightSpec flight_spec_of(const FlightSettings& settings);
 

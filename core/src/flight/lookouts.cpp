@@ -1,0 +1,262 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/lookouts.hpp"
+
+#include "base/math.hpp"
+#include "yaw/angle.hpp"
+
+namespace tern {
+namespace {
+
+/// What is committed ends at the same place if it moved by less than this, metres.
+constexpr double kStandsStill = 0.4;
+/// How long it must stand still before a search begins, in seconds, plans that were not dropped, and frames.
+constexpr std::int64_t kStillFor = 500000000;
+constexpr std::uint32_t kStillPlans = 3;
+constexpr std::uint64_t kStillFrames = 4;
+/// A search begins when the vehicle is less than so many seconds from the end of what is committed: more near the goal,
+/// where flights gain centimetres at a time.
+constexpr double kLeadNear = 0.7;
+constexpr double kLeadFar = 0.4;
+constexpr double kNearGoal = 2.0;  // metres
+constexpr double kLeadSlack = 0.1;
+/// How long the nose may take to turn to what is needed before a search begins.
+constexpr std::int64_t kTurnWait = 1000000000;
+/// Plans without coming nearer after which the vehicle wanders, and fewer near the goal.
+constexpr int kWanders = 40;
+constexpr int kWandersNear = 6;
+/// The earliest search after a lookout, and after a search without an answer.
+constexpr std::int64_t kAfterLookout = 300000000;
+constexpr std::int64_t kAfterNothing = 1000000000;
+/// Without a frame for so long, no lookout helps.
+constexpr std::int64_t kNoFrames = 1000000000;
+/// The vehicle has arrived at a place within this distance, metres, and at the end of a known way within kPassed.
+constexpr double kArrivedAt = 0.05;
+constexpr double kPassed = 1.0;
+/// The sensor points there within this angle, rad: its cosine. Then so many frames show the voxels, and not sooner than
+/// kFrameDelay after it.
+constexpr double kAlignedCosine = 0.998;
+constexpr std::uint64_t kLookFrames = 3;
+constexpr std::int64_t kFrameDelay = 150000000;
+constexpr std::int64_t kLongestLook = 4000000000;
+/// A flight to a lookout takes at most so many times as long as it should, and kSlackOnWay seconds.
+constexpr double kLateOnWay = 2.5;
+constexpr double kSlackOnWay = 3.0;
+/// From nearer than this to the middle of what it looks at, seen from above, the sensor keeps its heading, metres.
+constexpr double kLeastFlat = 1.0;
+constexpr double kLookAhead = 4.0;
+/// The acceleration that a gimbal is taken to turn with, rad/s^2.
+constexpr double kGimbalAcceleration = 20.0;
+
+double flat_length(const Vec3& way) {
+  return square_root(way.x * way.x + way.y * way.y);
+}
+
+double least_of(double a, double b) {
+  return b > 0.0 && b < a ? b : a;
+}
+
+bool looks_for_ground(const FlightFacts& flight) {
+  return flight.landing.is_asked && flight.itinerary.is_reached_by(flight.plans.latest());
+}
+
+/// What the vehicle needs a way to: its next point or, if it hovers above the place to land on, as far down to that as
+/// it keeps the radius from the ground.
+Vec3 goal_of(const FlightFacts& flight) {
+  const Vec3& point = flight.itinerary.points[flight.itinerary.leg].position;
+  if (!looks_for_ground(flight)) return point;
+  return {point.x, point.y, height_above(flight.map.safe().spec(), flight.landing.ground)};
+}
+
+/// How fast the vehicle moves level and turns.
+Agility agility_of(const FlightFacts& flight, const Nose& nose) {
+  const Limits limits = flight.stray.limits(flight.spec.limits);
+  const double acceleration = nose.is_planned ? nose.yaw.acceleration_max : kGimbalAcceleration;
+  return {least_of(smaller(limits.v_max.x, limits.v_max.y), limits.v_horizontal),
+          least_of(smaller(limits.a_max.x, limits.a_max.y), limits.a_horizontal), flight.spec.yaw_rate, acceleration};
+}
+
+}  // namespace
+
+void Lookouts::try_anew() noexcept {
+  phase = LookoutPhase::kIdle;
+  tried.clear();
+  left = kMostLookouts;
+  nearest = -1.0;
+  found_nothing = false;
+  wandering_due = 0;
+  anchored = -1;
+  not_before = 0;
+}
+
+void Lookouts::note_tick(const FlightFacts& flight, const PlanCounts& plans) noexcept {
+  if (!flight.itinerary.goes_on()) return;
+  const double remaining = distance(flight.position(), flight.itinerary.points[flight.itinerary.leg].position);
+  if (nearest < 0.0 || remaining < nearest - kNearer) {
+    nearest = remaining;
+    left = kMostLookouts;
+  }
+  if (flight.itinerary.wandering == 0) wandering_due = 0;
+  const Vec3 end = flight.plans.latest().end();
+  if (anchored >= 0 && distance(end, anchor) <= kStandsStill) return;
+  anchor = end;
+  anchored = flight.time;
+  anchored_plans = plans.asked - plans.dropped;
+  anchored_frames = flight.frames;
+  found_nothing = false;
+}
+
+bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) const noexcept {
+  const Commitment& latest = flight.plans.latest();
+  const bool may_begin = phase == LookoutPhase::kIdle && left > 0 && flight.time >= not_before &&
+                         (!flight.itinerary.is_reached_by(latest) || looks_for_ground(flight)) &&
+                         !flight.itinerary.is_right_before(flight);
+  if (!may_begin || flight.map.busy() || !flight.map.safe().inflated() || !flight.map.route().inflated()) return false;
+  const Sample now = flight.plans.sample_at(flight.time);
+  const Vec3 end = latest.end();
+  const bool is_near = distance(end, goal_of(flight)) < kNearGoal;
+  const double lead = (is_near ? kLeadNear : kLeadFar) * length(now.velocity) + kLeadSlack;
+  if (distance(now.position, end) > lead) return false;
+  const std::int64_t still = flight.time - anchored;
+  if (nose.waits_for_nose(flight) && still < kTurnWait) return false;
+  if (flight.itinerary.wandering >= wandering_due + (is_near ? kWandersNear : kWanders)) return true;
+  return still >= kStillFor && plans.asked - plans.dropped - anchored_plans >= kStillPlans &&
+         flight.frames >= anchored_frames + kStillFrames;
+}
+
+void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& look_at) noexcept {
+  const Vec3 end = flight.plans.latest().end();
+  Heading heading{1.0, 0.0};
+  const Vec3 way = look_at - flight.position();
+  const double flat = flat_length(way);
+  if (flat > 0.0) heading = {way.x / flat, way.y / flat};
+  if (nose.is_planned) {
+    const YawSample now = nose.at(flight.time);
+    heading = {now.yaw.cosine, now.yaw.sine};
+  }
+  search.optics = Optics(flight.spec.sensor, flight.map.spec());
+  search.begin(flight.map, {end, goal_of(flight), heading, agility_of(flight, nose)}, words);
+  phase = LookoutPhase::kSearching;
+  wandering_due = flight.itinerary.wandering;
+}
+
+/// A search that was made for another end of what is committed, or for another goal, says nothing.
+bool Lookouts::accept(const FlightFacts& flight) noexcept {
+  const LookoutQuestion& asked = search.question;
+  const bool is_current =
+      distance(asked.from, flight.plans.latest().end()) <= kStandsStill && same(asked.goal, goal_of(flight));
+  if (!is_current) return false;
+  if (search.answer == LookoutAnswer::kFound) return true;
+  const Viewpoint& end = search.lookout;
+  const bool leads_on = search.answer == LookoutAnswer::kNothingUnseen && flight.rests() &&
+                        distance(end.place, flight.position()) > kPassed &&
+                        !tried.has_failed(end.place, end.look, flight.map.safe().spec().cell);
+  found_nothing = !leads_on;
+  if (leads_on) tried.note_failure(end.place, end.look);  // once
+  return leads_on;
+}
+
+void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
+  if (search.advance(flight.map, tried, work) != Progress::kDone) return;
+  phase = LookoutPhase::kIdle;
+  if (!accept(flight)) {
+    not_before = flight.time + kAfterNothing;
+    return;
+  }
+  phase = LookoutPhase::kOnWay;
+  --left;
+  began = flight.time;
+  aligned = -1;
+  failed_cycles = 0;
+}
+
+std::int32_t Lookouts::count_unseen(const FlightFacts& flight) const noexcept {
+  std::int32_t sum = 0;
+  for (std::int32_t k = 0; k < search.lookout.hidden_count; ++k) {
+    sum += is_unseen_at(flight.map, search.lookout.hidden[k]) ? 1 : 0;
+  }
+  return sum;
+}
+
+/// `looked`: the voxels that are still unseen were looked at. `failed`: the lookout was of no use.
+void Lookouts::end(const FlightFacts& flight, bool looked, bool failed) noexcept {
+  const Viewpoint& lookout = search.lookout;
+  const double cell = flight.map.safe().spec().cell;
+  for (std::int32_t k = 0; k < lookout.hidden_count && looked; ++k) {
+    if (is_unseen_at(flight.map, lookout.hidden[k])) tried.note_voxel(lookout.hidden[k], lookout.place, cell);
+  }
+  if (failed) tried.note_failure(lookout.place, lookout.look);
+  phase = LookoutPhase::kIdle;
+  anchored = -1;
+  not_before = flight.time + kAfterLookout;
+}
+
+void Lookouts::note_aligned(const FlightFacts& flight, const Nose& nose) noexcept {
+  if (aligned >= 0) return;
+  const Heading& wanted = search.lookout.heading;
+  if (nose.is_planned) {
+    const YawSample now = nose.at(flight.time);
+    if (now.yaw.cosine * wanted.cosine + now.yaw.sine * wanted.sine < kAlignedCosine) return;
+  } else if (seconds_between(began, flight.time) * flight.spec.yaw_rate < kPi) {
+    return;
+  }
+  aligned = flight.time;
+  aligned_frames = flight.frames;
+}
+
+/// As soon as all voxels are seen, the flight goes on to its goal.
+void Lookouts::follow(const FlightFacts& flight, const Nose& nose) noexcept {
+  if (!is_active() || !flight.map.safe().bound()) return;
+  const Viewpoint& lookout = search.lookout;
+  const Vec3 at = flight.position();
+  const bool leads_on = lookout.hidden_count == 0;
+  const bool is_done = leads_on ? distance(at, lookout.place) < kPassed : count_unseen(flight) == 0;
+  if (is_done) return end(flight, false, false);
+  if (phase == LookoutPhase::kOnWay) {
+    const bool is_there = flight.rests() && distance(at, lookout.place) < kArrivedAt;
+    if (is_there) {
+      phase = LookoutPhase::kLooking;
+      began = flight.time;
+      return;
+    }
+    const double most = kLateOnWay * lookout.seconds + kSlackOnWay;
+    if (seconds_between(began, flight.time) > most) end(flight, false, true);
+    return;
+  }
+  note_aligned(flight, nose);
+  const bool has_looked = aligned >= 0 && flight.time - aligned >= kFrameDelay &&
+                          flight.frames >= aligned_frames + kLookFrames && !flight.map.busy();
+  if (has_looked || flight.time - began > kLongestLook) end(flight, true, true);
+}
+
+void Lookouts::note_failure(const FlightFacts& flight) noexcept {
+  if (phase == LookoutPhase::kOnWay && ++failed_cycles >= kFailedCycles) end(flight, false, true);
+}
+
+bool Lookouts::needs_no_plan(const FlightFacts& flight) const noexcept {
+  if (phase == LookoutPhase::kLooking) return true;
+  return leads() && distance(flight.plans.latest().end(), place()) < kArrivedAt;
+}
+
+bool Lookouts::searches_again(const FlightFacts& flight) noexcept {
+  found_nothing = false;
+  not_before = flight.time;
+  return may_help(flight);
+}
+
+bool Lookouts::may_help(const FlightFacts& flight) const noexcept {
+  const bool sees = flight.frames > 0 && flight.time - flight.frame_time < kNoFrames;
+  return is_active() || is_searching() || (sees && left > 0 && !found_nothing);
+}
+
+Vec3 Lookouts::look_at(const Vec3& position) const noexcept {
+  const Viewpoint& lookout = search.lookout;
+  const Vec3 way = lookout.look - position;
+  const bool keeps_heading = phase == LookoutPhase::kLooking || flat_length(way) < kLeastFlat;
+  if (!keeps_heading) return lookout.look;
+  const Vec3 from_there = lookout.look - lookout.place;
+  const double steepness = from_there.z / larger(flat_length(from_there), kArrivedAt);
+  return position + kLookAhead * Vec3{lookout.heading.cosine, lookout.heading.sine, steepness};
+}
+
+}  // namespace tern

@@ -1,0 +1,99 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// When the flight looks for a lookout, how it flies there and looks, and what it remembers of it. It begins once the
+// end of what is committed stands still, while the vehicle is still on its way there.
+#ifndef TERN_FLIGHT_LOOKOUTS_HPP
+#define TERN_FLIGHT_LOOKOUTS_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "flight/flight_facts.hpp"
+#include "flight/nose.hpp"
+#include "lookout/lookout_search.hpp"
+
+namespace tern {
+
+/// Lookouts without coming kNearer metres nearer to the next point, after which the vehicle looks for no more.
+constexpr int kMostLookouts = 8;
+constexpr double kNearer = 0.5;
+/// Cycles on the way to a lookout that may fail while the vehicle rests.
+constexpr int kFailedCycles = 6;
+
+enum class LookoutPhase : std::uint8_t {
+  kIdle,       ///< the flight flies to its goal
+  kSearching,  ///< a lookout is sought
+  kOnWay,      ///< the vehicle flies there
+  kLooking,    ///< it rests there and looks
+};
+
+/// How many plans were made, as FlightReport::asked and dropped.
+struct PlanCounts {
+  std::uint32_t asked;
+  std::uint32_t dropped;
+};
+
+struct Lookouts {
+  LookoutPhase phase;
+  LookoutSearch search;
+  Tried tried;
+  std::uint64_t* words;  ///< the caller's
+
+  int left;            ///< lookouts until the vehicle gives up
+  double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
+  bool found_nothing;  ///< the last search at this place had no answer
+  int wandering_due;   ///< the next lookout at so many plans without coming nearer
+
+  // The end of what is committed stands still.
+  Vec3 anchor;  ///< where
+  std::int64_t anchored;
+  std::uint32_t anchored_plans;
+  std::uint64_t anchored_frames;
+  std::int64_t not_before;  ///< the next search
+
+  // On the way, and looking.
+  std::int64_t began;
+  std::int64_t aligned;  ///< since when the sensor points there; negative: not yet
+  std::uint64_t aligned_frames;
+  int failed_cycles;
+
+  /// Forgets all reasons to give up, and the lookout.
+  void try_anew() noexcept;
+  /// Notes where the vehicle is, and whether what is committed still ends at the same place. To be called every tick.
+  void note_tick(const FlightFacts& flight, const PlanCounts& plans) noexcept;
+  /// A search should begin now.
+  bool is_called_for(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) const noexcept;
+  void begin(const FlightFacts& flight, const Nose& nose, const Vec3& look_at) noexcept;
+  /// Goes on with the search.
+  void advance(const FlightFacts& flight, Work& work) noexcept;
+  /// Goes on with the flight to the lookout, and with the look.
+  void follow(const FlightFacts& flight, const Nose& nose) noexcept;
+  /// A cycle on the way to the lookout failed while the vehicle rests.
+  void note_failure(const FlightFacts& flight) noexcept;
+
+  /// The flight leads to a lookout, or looks from there.
+  bool is_active() const noexcept { return phase == LookoutPhase::kOnWay || phase == LookoutPhase::kLooking; }
+  bool is_searching() const noexcept { return phase == LookoutPhase::kSearching; }
+  /// The next plan leads to the lookout.
+  bool leads() const noexcept { return phase == LookoutPhase::kOnWay; }
+  /// No plan is made: the vehicle is at the lookout, or what is committed leads there.
+  bool needs_no_plan(const FlightFacts& flight) const noexcept;
+  /// After a look around, there may be a lookout where there was none. True if one will be sought.
+  bool searches_again(const FlightFacts& flight) noexcept;
+  /// Another lookout may still help a vehicle that rests.
+  bool may_help(const FlightFacts& flight) const noexcept;
+  /// The place to look at from `position`, world frame. Only while it is active.
+  Vec3 look_at(const Vec3& position) const noexcept;
+  const Vec3& place() const noexcept { return search.lookout.place; }
+
+ private:
+  std::int32_t count_unseen(const FlightFacts& flight) const noexcept;
+  void end(const FlightFacts& flight, bool looked, bool failed) noexcept;
+  void note_aligned(const FlightFacts& flight, const Nose& nose) noexcept;
+  bool accept(const FlightFacts& flight) noexcept;
+};
+
+}  // namespace tern
+
+#endif
