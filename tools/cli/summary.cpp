@@ -54,7 +54,8 @@ std::string corridor_line(const PlanResult& result) {
 std::string timing_line(const tern_host::Timing& timing) {
   const auto entry = [](const char* name, double us) { return std::string(name) + " " + fixed(us, 0) + "  "; };
   std::string others;
-  for (const Stage stage : {Stage::kWorld, Stage::kDetour, Stage::kPrevious, Stage::kStopFirst, Stage::kReach}) {
+  for (const Stage stage :
+       {Stage::kWorld, Stage::kDetour, Stage::kPrevious, Stage::kStopFirst, Stage::kReach, Stage::kTracks}) {
     if (timing.of(stage) > 0.0) others += entry(tern::stage_name(stage), timing.of(stage));
   }
   return "  time (us)   " + entry("inflate", timing.inflate) + entry("search", timing.of(Stage::kSearch)) +
@@ -69,6 +70,19 @@ std::string clearance_line(double clearance, const tern_host::Scenario& scenario
   if (fences > 0) text += ", " + std::to_string(fences) + (fences == 1 ? " geofence kept" : " geofences kept");
   if (scenario.tracking_margin > 0.0) text += ", tracking margin " + fixed(scenario.tracking_margin, 3) + " m";
   return "  clearance   " + text + "\n";
+}
+
+/// What the plan keeps clear of that moves.
+std::string tracks_line(const PlanResult& result) {
+  const std::size_t count = result.scenario.tracks.size();
+  if (count == 0) return "";
+  const tern::Report& report = result.report;
+  std::string text =
+      std::to_string(count) + (count == 1 ? " thing that moves" : " things that move") + " kept clear of";
+  if (report.waits > 0.0) text += ", waits " + fixed(report.waits, 2) + " s";
+  const double until = report.rest_clear_until;
+  text += std::isfinite(until) ? ", rest clear until " + fixed(until, 3) + " s" : ", rest stays clear";
+  return "  tracks      " + text + "\n";
 }
 
 /// Each peak beside the limit that holds for it: norms are above what an axis may have, and break no limit.
@@ -126,7 +140,8 @@ std::string trajectory_lines(const PlanResult& result) {
          via_lines(result) +
          peaks_line("velocity", figures.v_range, tern_host::velocity_range(limits), "m/s", figures.v_use) +
          peaks_line("accel.", figures.a_range, tern_host::acceleration_range(limits), "m/s^2", figures.a_use) +
-         jerk_line + thrust_line(figures, limits) + clearance_line(figures.clearance, result.scenario);
+         jerk_line + thrust_line(figures, limits) + clearance_line(figures.clearance, result.scenario) +
+         tracks_line(result);
 }
 
 std::string yaw_line(const PlanResult& result) {

@@ -3,6 +3,7 @@
 #include "host/plan_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "host/finding_text.hpp"
@@ -125,6 +126,7 @@ Json timing_json(const Timing& timing) {
           {"previous", timing.of(tern::Stage::kPrevious)},
           {"stop_first", timing.of(tern::Stage::kStopFirst)},
           {"reach", timing.of(tern::Stage::kReach)},
+          {"tracks", timing.of(tern::Stage::kTracks)},
           {"total", timing.total()}};
 }
 
@@ -153,11 +155,40 @@ Json check_json(const tern::ProofReport& check) {
           {"segment", index_json(check.segment)},
           {"time", check.until},
           {"fence", index_json(check.fence)},
+          {"track", index_json(check.track)},
           {"via", index_json(check.via)},
           {"voxel", voxel.x < 0 ? Json(nullptr) : Json({voxel.x, voxel.y, voxel.z})},
           {"derivative", index_json(check.derivative)},
           {"axis", index_json(check.axis)},
           {"excess", check.excess}};
+}
+
+bool meets_track(const PlanResult& result) {
+  const tern::Status status = result.report.status;
+  const bool meets = status == tern::Status::kStartInContact || status == tern::Status::kGoalCovered ||
+                     status == tern::Status::kNoClearTime;
+  return meets && result.report.track >= 0;
+}
+
+const std::string& track_name(const PlanResult& result) {
+  return result.scenario.tracks[static_cast<std::size_t>(result.report.track)].id;
+}
+
+/// What the plan does about things that move.
+void add_tracks(const PlanResult& result, Json& plan) {
+  const Scenario& scenario = result.scenario;
+  if (scenario.tracks.empty()) return;
+  const tern::Report& report = result.report;
+  plan["start_time"] = scenario.start_time;
+  if (result.ok()) {
+    const double until = report.rest_clear_until;
+    plan["rest_clear_until"] = std::isfinite(until) ? Json(scenario.start_time + until) : Json(nullptr);
+    plan["waits"] = report.waits;
+    if (report.track >= 0) plan["leaves"] = track_name(result);
+  }
+  if (meets_track(result)) {
+    plan["first_conflict"] = {{"track", track_name(result)}, {"time", scenario.start_time + report.conflict}};
+  }
 }
 
 std::string finding_text(const tern::ProofReport& check) {
@@ -170,6 +201,9 @@ std::string describe_failure(const PlanResult& result) {
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
+  if (meets_track(result)) {
+    text += "; track: " + track_name(result) + ", " + brief(report.conflict) + " s after the beginning";
+  }
   text += describe_occupied(result) + result.closed_way;
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
@@ -209,6 +243,7 @@ std::string plan_json(const PlanResult& result) {
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
   const tern::Report& report = result.report;
+  add_tracks(result, plan);
   if (!scenario.vias.empty()) plan["vias"] = vias_json(result);
   if (report.finer_cell > 0.0) plan["finer_resolution"] = report.finer_cell;
   if (report.has_reachable) plan["reachable"] = json(report.reachable);

@@ -56,6 +56,7 @@ Scenario read_scenario(const std::string& path, const std::vector<std::string>& 
   const std::string text = is_member(path, member) ? scenario_text(read_flight_world(path, {})) : read_text(path);
   Scenario scenario = parse_scenario(text, path, overrides, ends);
   load_map_files(scenario);
+  load_plans(path.substr(0, path.find_last_of('/') + 1), scenario.tracks);
   return scenario;
 }
 

@@ -12,6 +12,7 @@
 
 #include "host/fence_record.hpp"
 #include "host/text_records.hpp"
+#include "host/track_record.hpp"
 #include "host/yaw/yaw_wish.hpp"
 #include "tern/request.hpp"
 #include "tern/vec3.hpp"
@@ -60,6 +61,9 @@ struct Scenario {
   tern::Box boundary{};
   std::vector<Block> blocks;
   std::vector<FenceRecord> fences;
+  std::vector<TrackRecord> tracks;
+  double start_time = 0.0;  ///< when the plan begins
+  double rest_clear = 0.0;  ///< for how long the plan's end must be clear of the tracks
   std::vector<MapFile> map_files;
   Unknown unknown = Unknown::kFree;
   std::vector<std::string> warnings;  ///< parts of the map that add nothing to it, each with its place

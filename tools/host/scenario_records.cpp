@@ -46,6 +46,8 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name)
       {"thrust_min", Shape::kScalar, &s.limits.thrust_min, nullptr, false, false, {}},
       {"tilt_tangent", Shape::kScalar, &s.limits.tilt_tangent, nullptr, false, false, {}},
       {"rate_max", Shape::kScalar, &s.limits.rate_max, nullptr, false, false, {}},
+      {"start_time", Shape::kScalar, &s.start_time, nullptr, false, false, {}},
+      {"rest_clear", Shape::kScalar, &s.rest_clear, nullptr, false, false, {}},
       {"time_weight", Shape::kScalar, &s.time_weight, nullptr, false, false, {}},
       {"start_yaw", Shape::kScalar, &s.yaw.start, nullptr, false, false, {}},
       {"start_yaw_rate", Shape::kScalar, &s.yaw.start_rate, nullptr, false, false, {}},
@@ -72,6 +74,11 @@ ScenarioBuilder::Choice* ScenarioBuilder::find_choice(const std::string& key) {
 void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& place) {
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
+  if (is_fence(key) || key == "keepout") {
+    if (has_window(words)) return add_timed_fence(words, place);
+  }
+  if (key == "track") return scenario_.tracks.push_back(read_track(words, place));
+  if (key == "track_piece") return add_track_piece(words, place, scenario_.tracks);
   if (key == "block" || key == "keepout") return add_block(words, place);
   if (is_fence(key)) return add_fence_record(words, place);
   if (key == "via") return add_via(words, place);
@@ -150,6 +157,12 @@ void ScenarioBuilder::add_via(const std::vector<std::string>& words, const Place
   scenario_.vias.push_back(via);
 }
 
+/// Only a box can be kept out of for a while: it is a thing that stands there.
+void ScenarioBuilder::add_timed_fence(const std::vector<std::string>& words, const Place& place) {
+  if (words.front() != "keepout") throw ScenarioError(place, "only a 'keepout' may have a 'during'");
+  scenario_.tracks.push_back(read_timed_keepout(words, scenario_.tracks.size() + 1, place));
+}
+
 /// A cloud does not say what is free.
 void ScenarioBuilder::check_unknown() const {
   if (scenario_.unknown == Unknown::kFree) return;
@@ -220,6 +233,9 @@ void ScenarioBuilder::check_ranges() const {
     if (key == "resolution" && !(*setting.scalar > 0.0)) {
       throw ScenarioError(setting.place, "'resolution' must be more than 0");
     }
+    if (key == "start_time" && !(*setting.scalar >= -9e9 && *setting.scalar <= 9e9)) {
+      throw ScenarioError(setting.place, "'start_time' is too far away");
+    }
     if ((key == "radius" || key == "tracking_margin") && !(*setting.scalar >= 0.0)) {
       throw ScenarioError(setting.place, "'" + key + "' must not be less than 0");
     }
@@ -238,6 +254,7 @@ Scenario ScenarioBuilder::finish(const Place& end, Ends ends) {
   scenario_.goal_mode = static_cast<tern::GoalMode>(find_choice("goal_mode")->chosen);
   scenario_.unknown = find_choice("unknown")->chosen == 0 ? Unknown::kFree : Unknown::kSolid;
   check_unknown();
+  complete_tracks(scenario_.start_time, scenario_.tracks);
   check_yaw();
   scenario_.resolution_place = find("resolution")->place;
   refuse_empty_fences(scenario_.fences, scenario_.boundary, scenario_.radius + scenario_.tracking_margin);

@@ -14,8 +14,13 @@
 namespace tern_host {
 namespace {
 
-tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence>& fences) {
+tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence>& fences,
+                         const std::vector<tern::Track>& tracks) {
   tern::Request request{};
+  request.begin = nanoseconds(scenario.start_time);
+  request.tracks = tracks.data();
+  request.track_count = static_cast<std::int32_t>(tracks.size());
+  request.rest_clear = scenario.rest_clear;
   request.fences = fences.data();
   request.fence_count = static_cast<std::int32_t>(fences.size());
   request.start = scenario.start;
@@ -96,7 +101,9 @@ PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previ
   }
   if (build_grid(result) != tern::Status::kOk) return result;
   const std::vector<tern::Fence> fences = fences_of(scenario.fences);
-  tern::Request request = request_of(scenario, fences);
+  const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);
+  tern::Request request = request_of(scenario, fences, tracks);
+  if (previous != nullptr && !tracks.empty()) request.begin = previous->begin + nanoseconds(previous_time);
   request.previous = previous;
   request.previous_time = previous_time;
   planner_.plan(grid_, request, result.trajectory, result.report);
@@ -110,10 +117,11 @@ PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previ
 
 std::string Session::record(const PlanResult& result) const {
   const std::vector<tern::Fence> fences = fences_of(result.scenario.fences);
+  const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);
   std::string bytes(tern::plan_record_bytes(result.grid.dims), '\0');
   std::size_t used = 0;
   const tern::Status status =
-      tern::record_plan(grid_, request_of(result.scenario, fences), result.report.status, result.trajectory,
+      tern::record_plan(grid_, request_of(result.scenario, fences, tracks), result.report.status, result.trajectory,
                         reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size(), &used);
   if (status != tern::Status::kOk) {
     throw std::runtime_error(std::string("this query cannot be recorded: ") + tern::status_meaning(status));

@@ -1,0 +1,267 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/track_record.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/track_fault.hpp"
+#include "host/fence_record.hpp"
+#include "tern/config.hpp"
+#include "tern/status.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Track;
+using tern::TrackEnd;
+using tern::TrackShape;
+using tern::Vec3;
+
+/// Seconds; further away, nanoseconds do not fit.
+constexpr double kMostSeconds = 9e9;
+
+/// The words of a record, one after the other.
+class WordQueue {
+ public:
+  WordQueue(const Words& words, const Place& place) : words_(words), place_(place) {}
+
+  bool empty() const { return next_ == words_.size(); }
+  const std::string& word(const char* what) {
+    if (empty()) throw RecordError(place_, std::string("'track' ends where ") + what + " is missing");
+    return words_[next_++];
+  }
+  double value(const char* what) { return number(word(what), place_); }
+  double size(const char* what) {
+    const double found = value(what);
+    if (!(found >= 0.0)) throw RecordError(place_, std::string(what) + " must not be less than 0");
+    return found;
+  }
+  Vec3 place(const char* what) {
+    const double x = value(what);
+    const double y = value(what);
+    return {x, y, value(what)};
+  }
+  std::int64_t time(const char* what) {
+    const double seconds = value(what);
+    if (!(std::fabs(seconds) <= kMostSeconds)) throw RecordError(place_, std::string(what) + " is too far away");
+    return nanoseconds(seconds);
+  }
+
+ private:
+  const Words& words_;
+  const Place& place_;
+  std::size_t next_ = 1;
+};
+
+void read_shape(WordQueue& queue, const Place& place, Track& track) {
+  const std::string shape = queue.word("its shape");
+  if (shape == "ball") {
+    track.shape = TrackShape::kBall;
+    track.radius = queue.size("the radius");
+  } else if (shape == "cylinder") {
+    track.shape = TrackShape::kCylinder;
+    track.radius = queue.size("the radius");
+    track.half.z = 0.5 * queue.size("the height");
+  } else if (shape == "box") {
+    track.shape = TrackShape::kBox;
+    const double x = queue.size("half an edge");
+    const double y = queue.size("half an edge");
+    track.half = {x, y, queue.size("half an edge")};
+  } else {
+    throw RecordError(place, "a track is a 'ball', a 'cylinder' or a 'box', found " + quote(shape));
+  }
+}
+
+void read_end(WordQueue& queue, const Place& place, Track& track) {
+  track.until = queue.time("the time of 'until'");
+  const std::string end = queue.word("what follows");
+  if (end == "gone") {
+    track.end = TrackEnd::kGone;
+  } else if (end == "stays") {
+    track.end = TrackEnd::kStays;
+  } else if (end == "reach") {
+    track.end = TrackEnd::kReach;
+  } else {
+    throw RecordError(place, "after 'until', a track is 'gone', 'stays' or has its 'reach', found " + quote(end));
+  }
+}
+
+void read_word(const std::string& word, WordQueue& queue, const Place& place, TrackRecord& record) {
+  Track& track = record.track;
+  if (word == "at") {
+    track.position = queue.place("its place");
+    record.has_place = true;
+  } else if (word == "velocity") {
+    track.velocity = queue.place("its velocity");
+  } else if (word == "error") {
+    track.error = queue.size("the error");
+    track.error_speed = queue.size("the error");
+    track.error_growth = queue.size("the error");
+  } else if (word == "reach") {
+    track.reach = queue.size("its reach");
+  } else if (word == "from") {
+    track.measured = queue.time("the time of 'from'");
+    record.has_from = true;
+  } else if (word == "until") {
+    read_end(queue, place, track);
+  } else if (word == "plan") {
+    record.plan = queue.word("the file of its plan");
+  } else {
+    throw RecordError(place, "unknown word " + quote(word) + " of a track");
+  }
+}
+
+TrackRecord* find_track(const std::string& id, std::vector<TrackRecord>& tracks) {
+  for (TrackRecord& record : tracks) {
+    if (record.id == id) return &record;
+  }
+  return nullptr;
+}
+
+/// A plan's segments, relative to its origin.
+void read_plan(const nlohmann::json& plan, TrackRecord& record) {
+  const auto point = [](const nlohmann::json& v) {
+    return Vec3{v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+  };
+  record.track.position = point(plan.at("origin"));
+  for (const nlohmann::json& segment : plan.at("segments")) {
+    tern::TrackPiece piece{};
+    piece.duration = segment.at("duration").get<double>();
+    for (std::size_t i = 0; i < tern::kControlPoints; ++i) piece.points[i] = point(segment.at("relative_points").at(i));
+    record.pieces.push_back(piece);
+  }
+}
+
+/// It points into the record.
+Track with_pieces(const TrackRecord& record) {
+  Track track = record.track;
+  track.pieces = record.pieces.empty() ? nullptr : record.pieces.data();
+  track.piece_count = static_cast<std::int32_t>(record.pieces.size());
+  return track;
+}
+
+/// What the planner would refuse.
+void check_track(const TrackRecord& record) {
+  const bool is_late = record.track.end != TrackEnd::kGoesOn && record.track.until < record.track.measured;
+  if (is_late) throw RecordError(record.place, "track " + quote(record.id) + " ends before it was measured");
+  const Track track = with_pieces(record);
+  const tern::Status status = tern::find_track_fault(&track, 1).status;
+  if (status == tern::Status::kOk) return;
+  throw RecordError(record.place, "track " + quote(record.id) + ": " + tern::status_meaning(status));
+}
+
+}  // namespace
+
+std::int64_t nanoseconds(double seconds) {
+  return std::llround(seconds * 1e9);
+}
+
+TrackRecord read_track(const Words& words, const Place& place) {
+  TrackRecord record;
+  record.place = place;
+  WordQueue queue(words, place);
+  record.id = queue.word("its name");
+  read_shape(queue, place, record.track);
+  while (!queue.empty()) {
+    const std::string word = queue.word("a word");
+    read_word(word, queue, place, record);
+  }
+  return record;
+}
+
+void add_track_piece(const Words& words, const Place& place, std::vector<TrackRecord>& tracks) {
+  constexpr std::size_t kWords = 3 + 3 * tern::kControlPoints;
+  if (words.size() != kWords) {
+    throw RecordError(place, "'track_piece' needs a name, a duration and 24 numbers");
+  }
+  TrackRecord* const record = find_track(words[1], tracks);
+  if (record == nullptr) throw RecordError(place, "no 'track' " + quote(words[1]) + " stands before its piece");
+  tern::TrackPiece piece{};
+  piece.duration = number(words[2], place);
+  if (!(piece.duration > 0.0)) throw RecordError(place, "a piece must last longer than 0");
+  for (std::size_t i = 0; i < tern::kControlPoints; ++i) {
+    piece.points[i] = {number(words[3 + 3 * i], place), number(words[4 + 3 * i], place),
+                       number(words[5 + 3 * i], place)};
+  }
+  record->pieces.push_back(piece);
+}
+
+bool has_window(const Words& words) {
+  return words.size() > 3 && words[words.size() - 3] == "during";
+}
+
+TrackRecord read_timed_keepout(const Words& words, std::size_t number_of_it, const Place& place) {
+  const std::size_t end = words.size() - 3;
+  const tern::Box box =
+      box_of(numbers(Words(words.begin(), words.begin() + std::ptrdiff_t(end)), place), "keepout", place);
+  const double from = number(words[end + 1], place);
+  const double until = number(words[end + 2], place);
+  if (!(from <= until)) throw RecordError(place, "'during' ends before it begins");
+  if (!(std::fabs(from) <= kMostSeconds && std::fabs(until) <= kMostSeconds)) {
+    throw RecordError(place, "the times of 'during' are too far away");
+  }
+  TrackRecord record;
+  record.id = "keepout " + std::to_string(number_of_it);
+  record.is_fence = record.has_place = record.has_from = true;
+  record.place = place;
+  Track& track = record.track;
+  track.shape = TrackShape::kBox;
+  track.position = {0.5 * (box.lower.x + box.upper.x), 0.5 * (box.lower.y + box.upper.y),
+                    0.5 * (box.lower.z + box.upper.z)};
+  // Rounding moves no face inwards.
+  const auto half = [](double lower, double middle, double upper) {
+    return std::nextafter(std::fmax(upper - middle, middle - lower), HUGE_VAL);
+  };
+  track.half = {half(box.lower.x, track.position.x, box.upper.x), half(box.lower.y, track.position.y, box.upper.y),
+                half(box.lower.z, track.position.z, box.upper.z)};
+  track.measured = nanoseconds(from);
+  track.until = nanoseconds(until);
+  track.end = TrackEnd::kGone;
+  return record;
+}
+
+void complete_tracks(double start, std::vector<TrackRecord>& tracks) {
+  std::size_t pieces = 0;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    TrackRecord& record = tracks[i];
+    if (i == std::size_t{tern::kMaxTracks}) {
+      throw RecordError(record.place, "more than " + std::to_string(tern::kMaxTracks) + " tracks");
+    }
+    if (find_track(record.id, tracks) != &record) {
+      throw RecordError(record.place, "track " + quote(record.id) + " is given twice");
+    }
+    if (!record.has_from) record.track.measured = nanoseconds(start);
+    const int curves = (record.has_place ? 1 : 0) + (record.pieces.empty() ? 0 : 1) + (record.plan.empty() ? 0 : 1);
+    if (curves != 1) {
+      throw RecordError(record.place, "track " + quote(record.id) + " needs either 'at', pieces or a 'plan'");
+    }
+    record.track.id = static_cast<std::uint32_t>(i);
+    pieces += record.pieces.size();
+    if (pieces > std::size_t{tern::kMaxTrackPieces}) {
+      throw RecordError(record.place, "more than " + std::to_string(tern::kMaxTrackPieces) + " pieces of tracks");
+    }
+    if (record.plan.empty()) check_track(record);
+  }
+}
+
+void load_plans(const std::string& folder, std::vector<TrackRecord>& tracks) {
+  for (TrackRecord& record : tracks) {
+    if (record.plan.empty()) continue;
+    const std::string path = folder + record.plan;
+    try {
+      read_plan(nlohmann::json::parse(read_text(path)), record);
+    } catch (const nlohmann::json::exception&) {
+      throw RecordError(record.place, quote(path) + " is no plan file with a plan");
+    }
+    check_track(record);
+  }
+}
+
+std::vector<Track> tracks_of(const std::vector<TrackRecord>& records) {
+  std::vector<Track> tracks;
+  for (const TrackRecord& record : records) tracks.push_back(with_pieces(record));
+  return tracks;
+}
+
+}  // namespace tern_host

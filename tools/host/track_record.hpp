@@ -1,0 +1,57 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Things that move in a scenario: `track`, `track_piece`, and `keepout` with `during`, which is a box that is there for
+// a while. docs/formats.md has the words.
+#ifndef TERN_HOST_TRACK_RECORD_HPP
+#define TERN_HOST_TRACK_RECORD_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/text_records.hpp"
+#include "tern/grid.hpp"
+#include "tern/track.hpp"
+
+namespace tern_host {
+
+struct TrackRecord {
+  std::string id;
+  tern::Track track;                     ///< without its pieces and their number
+  std::vector<tern::TrackPiece> pieces;  ///< relative to track.position
+  std::string plan;                      ///< the file with another vehicle's plan; empty: none
+  bool has_place = false;
+  bool has_from = false;  ///< else it is measured when the scenario begins
+  bool is_fence = false;  ///< a keep-out for a while
+  Place place;
+};
+
+/// track ID SHAPE ... Throws RecordError.
+TrackRecord read_track(const Words& words, const Place& place);
+
+/// track_piece ID DURATION x0 y0 z0 ... x7 y7 z7, added to the track of that name. Throws RecordError.
+void add_track_piece(const Words& words, const Place& place, std::vector<TrackRecord>& tracks);
+
+/// True if the record ends with `during t0 t1`.
+bool has_window(const Words& words);
+
+/// keepout x0 y0 z0 x1 y1 z1 during t0 t1: `number` makes its name. Throws RecordError.
+TrackRecord read_timed_keepout(const Words& words, std::size_t number, const Place& place);
+
+/// Checks what only the whole scenario shows: pieces and places, capacities. Tracks without a `from` are measured at
+/// `start`. Throws RecordError.
+void complete_tracks(double start, std::vector<TrackRecord>& tracks);
+
+/// Reads the plans of other vehicles, in files relative to `folder`. Throws RecordError.
+void load_plans(const std::string& folder, std::vector<TrackRecord>& tracks);
+
+/// The tracks for a request. They point into the records.
+std::vector<tern::Track> tracks_of(const std::vector<TrackRecord>& records);
+
+/// Seconds as nanoseconds, rounded.
+std::int64_t nanoseconds(double seconds);
+
+}  // namespace tern_host
+
+#endif
