@@ -108,11 +108,11 @@ TEST(TrackRecord, APlanFileIsATrack) {
   const tern_host::PlanResult first = session.plan(parse("track man ball 0.3 at 6 0 1.5 velocity 0 1 0\n"));
   ASSERT_TRUE(first.ok());
   EXPECT_GT(first.report.waits, 0.0);
-  const std::string json = tern_host::plan_json(first);
-  EXPECT_NE(json.find("\"rest_clear_until\": null"), std::string::npos);
-  EXPECT_NE(json.find("\"waits\""), std::string::npos);
+  const std::string file = tern_host::plan_json(first);
+  EXPECT_NE(file.find("\"rest_clear_until\": null"), std::string::npos);
+  EXPECT_NE(file.find("\"waits\""), std::string::npos);
   const std::string folder = testing::TempDir();
-  std::ofstream(folder + "first.json") << json;
+  std::ofstream(folder + "first.json") << file;
   std::ofstream(folder + "second.txt")
       << "boundary 0 0 0 12 8 3\nradius 0.3\nstart 11 4 1.5\ngoal 1 4 1.5\ntrack first ball 0.3 plan first.json\n";
   const Scenario scenario = tern_host::read_scenario(folder + "second.txt");

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "verify/fence_records.hpp"
+#include "verify/track_records.hpp"
 
 namespace tern_verify {
 namespace {
@@ -37,6 +38,8 @@ const std::set<std::string> kSettings = {"start",
                                          "tilt_tangent",
                                          "rate_max",
                                          "time_weight",
+                                         "start_time",
+                                         "rest_clear",
                                          "search",
                                          "goal_mode",
                                          "yaw",
@@ -65,6 +68,11 @@ void apply(const Settings& settings, Problem& problem) {
   problem.clearance = problem.radius + problem.tracking_margin;
   if (problem.clearance <= decimal(1, 9)) problem.clearance = 0;
   keep_distance(problem.clearance, problem.fences);
+  problem.start_time = whole_nanoseconds(settings.number("start_time", 0));
+  problem.rest_clear = settings.number("rest_clear", 0);
+  for (Thing& thing : problem.things) {
+    if (!thing.has_from) thing.from = problem.start_time;
+  }
   problem.may_end_near = settings.word("goal_mode") == "nearest";
   if (problem.cell <= 0) throw InputError(problem.name + ": 'resolution' must be more than 0");
 }
@@ -92,7 +100,9 @@ void add_map_file(const Record& record, Problem& problem) {
 /// Adds a record to the problem, or to the settings.
 void add(const Record& record, Problem& problem, Settings& settings) {
   const std::string& key = record.key();
-  if (key == "block" || key == "keepout") {
+  if (is_track_record(record)) {
+    add_track_record(record, problem.things);
+  } else if (key == "block" || key == "keepout") {
     problem.blocks.push_back(block_from(record));
   } else if (is_fence(key)) {
     problem.fences.push_back(fence_from(record));

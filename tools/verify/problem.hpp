@@ -12,6 +12,7 @@
 
 #include "verify/exact.hpp"
 #include "verify/map_files.hpp"
+#include "verify/tracks.hpp"
 
 namespace tern_verify {
 
@@ -89,6 +90,9 @@ struct Problem {
   std::vector<Octree> octrees;
   bool unknown_is_solid = false;  ///< what no octree says is free is an obstacle
   std::vector<Fence> fences;
+  std::vector<Thing> things;  ///< that move
+  Rational start_time = 0;
+  Rational rest_clear = 0;
   Motion start, goal;
   std::vector<Via> vias;
   std::vector<Bound> bounds;

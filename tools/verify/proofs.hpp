@@ -49,6 +49,9 @@ void prove_turns(const std::vector<Segment>& segments, const std::vector<Bound>&
 /// The curve, for all t, keeps the clearance from each solid voxel.
 void prove_clearance(const Subject& subject, Claims& claims);
 
+/// The curve, for all t, keeps the clearance from the tubes of things that move.
+void prove_tracks(const Subject& subject, Claims& claims);
+
 /// What no proof of the plan covers and its reader must know, one text each: that it ends where it says itself.
 std::vector<std::string> assumed_of(const Problem& problem, const Plan& plan);
 

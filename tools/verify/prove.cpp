@@ -35,6 +35,7 @@ Claims prove(const Problem& problem, const Plan& plan) {
   prove_boundary(subject, claims);
   prove_fences(subject, claims);
   prove_clearance(subject, claims);
+  prove_tracks(subject, claims);
   prove_bounds(plan.segments, problem.bounds, claims);
   prove_turns(plan.segments, problem.bounds, claims);
   return claims;

@@ -1,0 +1,23 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Records of things that move (docs/formats.md).
+#ifndef TERN_VERIFY_TRACK_RECORDS_HPP
+#define TERN_VERIFY_TRACK_RECORDS_HPP
+
+#include <vector>
+
+#include "verify/records.hpp"
+#include "verify/tracks.hpp"
+
+namespace tern_verify {
+
+/// True for `track`, `track_piece`, and `keepout` with `during`.
+bool is_track_record(const Record& record);
+
+/// Adds the thing, or the piece of the last thing of that name. Throws InputError.
+void add_track_record(const Record& record, std::vector<Thing>& things);
+
+}  // namespace tern_verify
+
+#endif
