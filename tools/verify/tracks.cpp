@@ -14,6 +14,10 @@ namespace {
 /// Halvings after which a piece counts with what is proven of it.
 constexpr int kHalvings = 40;
 constexpr std::size_t kDegrees = 7;
+/// A piece is looked at no closer once so much of the least room that was seen is proven of it.
+const Rational kShare = Rational(3) / 4;
+/// Metres that do not matter.
+const Rational kNothing = decimal(1, 6);
 
 // What docs/tracks.md says of a way that begins too near to a thing.
 const Rational kLeaveAfter = 1;
@@ -203,7 +207,8 @@ class Search {
         const Rational least = least_room(thing_, tube);
         if (!proven || least > *proven) proven = least;
       }
-      const bool is_done = *proven >= enough_ && *proven >= room_.most - Rational(1) / 1000;
+      const bool is_done =
+          *proven >= enough_ && *proven >= std::min<Rational>(kShare * room_.most, room_.most - kNothing);
       if (is_done || *proven >= room_.most || room_.most < enough_ || piece.depth == kHalvings) {
         room_.least = std::min<Rational>(room_.least, *proven);
         continue;
