@@ -56,6 +56,24 @@ Vector<N> point_at(Polygon<N> curve, const Rational& u) {
   return curve.front();
 }
 
+/// The part of a curve between two parameters, 0 <= from < to <= 1: de Casteljau twice.
+template <std::size_t N>
+Polygon<N> part_of(Polygon<N> curve, const Rational& from, const Rational& to) {
+  const std::size_t degree = curve.size() - 1;
+  Polygon<N> kept = curve;
+  for (std::size_t level = 0; level <= degree; ++level) {
+    kept[level] = curve[0];
+    for (std::size_t i = 0; i + level < degree; ++i) curve[i] = curve[i] + to * (curve[i + 1] - curve[i]);
+  }
+  const Rational u = from / to;
+  curve = kept;
+  for (std::size_t level = 0; level <= degree; ++level) {
+    kept[degree - level] = curve[degree - level];
+    for (std::size_t i = 0; i + level < degree; ++i) curve[i] = curve[i] + u * (curve[i + 1] - curve[i]);
+  }
+  return kept;
+}
+
 }  // namespace tern_verify
 
 #endif

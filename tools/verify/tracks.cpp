@@ -30,21 +30,6 @@ Rational squared(const Rational& a) {
   return a * a;
 }
 
-Polygon<3> part_of(Polygon<3> curve, const Rational& from, const Rational& to) {
-  const auto cut = [](Polygon<3> points, const Rational& u, bool before) {
-    const std::size_t degree = points.size() - 1;
-    Polygon<3> kept(points.size());
-    for (std::size_t level = 0; level <= degree; ++level) {
-      if (before) kept[level] = points[0];
-      if (!before) kept[degree - level] = points[degree - level];
-      for (std::size_t i = 0; i + level < degree; ++i) points[i] = points[i] + u * (points[i + 1] - points[i]);
-    }
-    return kept;
-  };
-  if (to < 1) curve = cut(curve, to, true);
-  return from > 0 ? cut(curve, from / to, false) : curve;
-}
-
 /// Where a chain of curves is, as control points: at rest past its end.
 Polygon<3> chain_part(const std::vector<TimedCurve>& chain, Rational begin, const Rational& from, const Rational& to) {
   for (const TimedCurve& curve : chain) {

@@ -48,8 +48,8 @@ struct TimedWay {
   Rational clearance;
 };
 
-/// What is proven: the room is at least `least`, and no more than `most` at some time. Metres. `least` is three quarters
-/// of `most` or more, or a micrometre less than that.
+/// What is proven: the room is at least `least`, and no more than `most` at some time. Metres. `least` is three
+/// quarters of `most` or more, or a micrometre less than that.
 struct RoomInTime {
   Rational least, most;
   Rational when;        ///< s since the beginning of the way
