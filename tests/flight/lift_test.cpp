@@ -190,6 +190,18 @@ TEST(Lift, LandsNowhereUnseen) {
   EXPECT_GT(flown.position().z, kTop - 1e-6);
 }
 
+/// A level camera sees the ground below only from aside: it looks from there first.
+TEST(Lift, LooksForTheGroundBelowIt) {
+  for (const double x : {0.0, 1.5}) {
+    SCOPED_TRACE(x);
+    tern_test::FlightSettings s;
+    Flown flown({}, s);
+    flown.pads.push_back({x, 0.0, 0.15});
+    ASSERT_EQ(flown.flight.land({x, 0.0, kStand}, 0.15, 0.5), Status::kOk);
+    EXPECT_EQ(flown.fly(25.0), FlightReason::kLanded) << tern::flight_reason_text(flown.report.reason);
+  }
+}
+
 TEST(Lift, RefusesWhatIsNoLanding) {
   FromGround flown({});
   EXPECT_EQ(flown.flight.land({5.0, 0.0, kStand}, kGround, 0.0), Status::kInvalidArgument);

@@ -197,6 +197,31 @@ TEST(LookoutWanted, IsThinFurtherOn) {
   EXPECT_GE(wanted.voxel[kMaxWanted - 1].at - wanted.voxel[kDenseWanted].at, 20);
 }
 
+/// A line at 8.125, 8.125: a radius of 0.3 m meets 3 x 3 columns, 0.125 m and 0.177 m away. Ground up to 2.9 m: the
+/// voxels from 3 m up are above it, and those from 2.75 m up are the highest that hold ground.
+TEST(LookoutWanted, IsAllBelowAPlaceToLand) {
+  LookoutMap room;
+  const Vec3 place{8.125, 8.125, 4.125};
+  const auto wanted_in = [&] {
+    Wanted wanted{};
+    wanted.clear();
+    Work work;
+    wanted.add_site(room.map(), place, 0.3, 2.9, 7, work);
+    EXPECT_EQ(wanted.dense, wanted.count < kDenseWanted ? wanted.count : kDenseWanted);
+    for (std::int32_t k = 0; k < wanted.count; ++k) EXPECT_EQ(wanted.voxel[k].at, 7);
+    return wanted.count;
+  };
+  EXPECT_EQ(wanted_in(), 9 * 6) << "from 2.75 m to the voxel that holds the place";
+  room.see_free({6.0, 6.0, 3.25}, {10.0, 10.0, 6.0});
+  EXPECT_EQ(wanted_in(), 9 * 2);
+  room.see_free({6.0, 6.0, 3.0}, {10.0, 10.0, 6.0});
+  EXPECT_EQ(wanted_in(), 9);
+  room.mark({{8.01, 8.01, 2.8}, {8.24, 8.24, 2.9}});
+  EXPECT_EQ(wanted_in(), 8) << "ground was hit there";
+  room.mark({{8.26, 8.01, 2.6}, {8.49, 8.24, 2.7}});
+  EXPECT_EQ(wanted_in(), 7) << "and here, a voxel deeper";
+}
+
 TEST(LookoutWanted, OnlyWhatIsInTheWindowCanBeUnseen) {
   LookoutMap room;
   EXPECT_TRUE(is_unseen_at(room.map(), {1.0, 1.0, 1.0}));

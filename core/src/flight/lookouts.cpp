@@ -135,7 +135,10 @@ void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& lo
     heading = {now.yaw.cosine, now.yaw.sine};
   }
   search.optics = Optics(flight.spec.sensor, flight.map.spec());
-  search.begin(flight.map, {end, goal_of(flight), heading, agility_of(flight, nose)}, words);
+  const Landing& landing = flight.landing;
+  search.begin(flight.map,
+               {end, goal_of(flight), heading, agility_of(flight, nose), looks_for_ground(flight), landing.ground},
+               words);
   phase = LookoutPhase::kSearching;
   wandering_due = flight.itinerary.wandering;
 }

@@ -168,7 +168,9 @@ Vec3 LookoutSearch::way_place(const RollingMap& map, std::int32_t at) const noex
 void LookoutSearch::find_needs(const RollingMap& map, Work& work) noexcept {
   const bool is_goal = goal_inside_ && at_ == way_count_ - 1;
   if (at_ < way_count_ && (is_goal || !octets_.bit(octets_.known, octets_.octet(way_[at_])))) {
-    wanted_.add_around(map, way_place(map, at_), map.safe().spec().clearance(), at_, share_, work);
+    const double radius = map.safe().spec().clearance();
+    wanted_.add_around(map, way_place(map, at_), radius, at_, share_, work);
+    if (is_goal && question.lands) wanted_.add_site(map, way_place(map, at_), radius, question.ground, at_, work);
   }
   if (++at_ < way_count_) return;
   if (wanted_.count == 0) return lead_on(map);

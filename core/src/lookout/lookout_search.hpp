@@ -36,6 +36,8 @@ struct LookoutQuestion {
   Vec3 goal;
   Heading nose;  ///< where it will point there; of length 1
   Agility agility;
+  bool lands = false;   ///< the vehicle is to descend from the goal to the ground,
+  double ground = 0.0;  ///< which is no higher than this, world frame, metres
 };
 
 /// A lookout, or a place on a way that is known to be free.

@@ -59,6 +59,32 @@ void Wanted::add_around(const RollingMap& map, const Vec3& place, double radius,
   work.spend(ops::kTurn * side * side * side + ops::kTurn * (kMaxWanted / 2) * found);
 }
 
+/// From the ground up: what is right above it is the hardest to see.
+void Wanted::add_site(const RollingMap& map, const Vec3& place, double radius, double ground, std::int32_t at,
+                      Work& work) noexcept {
+  const Grid& safe = map.safe();
+  const GridSpec& spec = safe.spec();
+  const Voxel middle = safe.voxel_of(place);
+  const std::int32_t reach = floor_index(radius / spec.cell, 0, kMostAround) + 1;
+  const std::int32_t above = ceil_index((ground - spec.origin.z) / spec.cell, 0, spec.dims.z);
+  const std::int32_t side = 2 * reach + 1;
+  const bool is_dense = dense == count;
+  const std::int32_t layers = floor_index(1.0 * (middle.z - above + 1), 0, 2 * kMostAround);
+  work.spend(2 * ops::kTurn * side * side * (layers + 1));
+  for (std::int32_t k = 0; k < side * side * (layers + 1) && count < kMaxWanted; ++k) {
+    const Voxel near{middle.x + outward(k % side), middle.y + outward(k / side % side), above - 1 + k / (side * side)};
+    const bool is_ground = near.z < above;
+    if (!is_unseen(map, near) || (is_ground && map.route().obstacle({near.x, near.y, near.z - 1}))) continue;
+    Vec3 off = place - nearest_in_box(place, cube_of(safe, near));
+    off.z = 0.0;
+    const Vec3 centre = spec.origin + safe.center(near);
+    if (dot(off, off) >= radius * radius || has(centre, spec.cell)) continue;
+    voxel[count++] = {centre, at};
+    work.spend(ops::kTurn * (kMaxWanted / 2));
+  }
+  if (is_dense) dense = count < kDenseWanted ? count : kDenseWanted;
+}
+
 Vec3 Wanted::middle(bool of_all) const noexcept {
   const std::int32_t some = of_all ? count : dense;
   Vec3 sum = kZero;

@@ -33,6 +33,11 @@ struct Wanted {
   /// `place`: local frame. Only voxels whose cube is less than `radius` away are needed.
   void add_around(const RollingMap& map, const Vec3& place, double radius, std::int32_t at, std::int32_t share,
                   Work& work) noexcept;
+  /// Adds what a descent from `place` to the ground needs: unseen voxels less than `radius` away from the vertical line
+  /// down to it, seen from above, and below them the highest ones that hold ground, where none was hit. `place`: local
+  /// frame; `ground`: the height that the ground does not exceed, world frame.
+  void add_site(const RollingMap& map, const Vec3& place, double radius, double ground, std::int32_t at,
+                Work& work) noexcept;
   /// The mean of the dense voxels, and of all of them. There must be one.
   Vec3 middle(bool of_all) const noexcept;
 

@@ -34,7 +34,7 @@ std::string vertical_move(Noise& random) {
 /// From the ground to the ground, or to low roofs, past a few trees.
 std::string ground_to_ground(Noise& random) {
   constexpr double kStands = 0.15;  // of the vehicle's centre above what it stands on
-  constexpr double kOver = 0.1;     // stated of the ground: the sensor errs by up to 0.08 m
+  constexpr double kOver = 0.15;    // stated of the ground: three quarters of a voxel
   const double away = random.within(12.0, 25.0);
   const double aside = random.within(-4.0, 4.0);
   const auto roof = [&random] { return random.chance(0.5) ? 0.0 : random.within(0.1, 1.2); };
