@@ -13,10 +13,8 @@ namespace {
 /// A new aim is chosen when less than this part of the horizon is left.
 constexpr double kLeastWay = 0.6;
 /// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels near the vehicle are solid.
-/// In the second, those right beside it are free, so that it has a voxel to begin at. In the third, all are free. After
-/// kFruitlessAttempt new plans that come no nearer to the goal, the next kind follows, too.
+/// In the second, those right beside it are free, so that it has a voxel to begin at. In the third, all are free.
 constexpr int kAttempts = 3;
-constexpr int kFruitlessAttempt = 6;
 constexpr double kHoleVoxels = 2.0;
 
 /// True if the vehicle will rest at the takeover with something within its radius: an error of a sensor, or something
@@ -47,8 +45,7 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   hemmed_in = is_hemmed_in(flight, takeover);
   remainder_is_free = false;
   const GridSpec& window = flight.map.route().spec();
-  int attempt = (search.idle_cycles + flight.itinerary.wandering / kFruitlessAttempt) % kAttempts;
-  if (lookouts.leads()) attempt = lookouts.failed_cycles % kAttempts;
+  const int attempt = (lookouts.leads() ? lookouts.failed_cycles : search.idle_cycles) % kAttempts;
   const double near = attempt < 2 ? flight.spec.near : 0.0;
   all_free = !(near > 0.0);
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
