@@ -185,6 +185,7 @@ namespace {
 /// Part of the cases whose request is asked again with vias.
 constexpr double kMissions = 0.3;
 /// Part of the cases that make one more world, with a boundary or a keep-in thinner than a voxel.
+constexpr double kAmongThings = 0.2;
 constexpr double kFlat = 0.25;
 
 /// The same request through vias. `own`: what is left of the case draws nothing from it.
@@ -221,6 +222,10 @@ void run_plans(Context& context) {
   if (missed) go_near(context, planner, world, map, ask);
   if (own.chance(context.family == Family::kFences ? 0.5 : 0.05)) attack_fences(context, own, planner, world, ask);
   if (own.chance(kFlat)) attack_flat(context, own);
+  if (!missed && own.chance(kAmongThings)) {
+    const Status alone = ask_once(context, planner, world, map, ask, "again");
+    attack_tracks(context, own, planner, world, ask, alone);
+  }
 }
 
 }  // namespace

@@ -77,6 +77,10 @@ void go_near(Context& context, tern::Planner& planner, const World& world, const
 /// A world of its own whose boundary holds no whole voxel on an axis, and the same with a keep-in in its place. `own`:
 /// what is left of the case draws nothing from it.
 void attack_flat(Context& context, Rng& own);
+/// The same request among things that move. `without`: the answer to it alone, whose plan is in bench.trajectory where
+/// there is one.
+void attack_tracks(Context& context, Rng& own, tern::Planner& planner, const World& world, const Ask& ask,
+                   tern::Status without);
 /// Grids copied, rebound and changed between calls and between slices.
 void run_changes(Context& context);
 

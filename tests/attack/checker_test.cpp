@@ -199,5 +199,36 @@ TEST_F(Checker, SeesFencesThatAreEmptyAndNotRefused) {
   EXPECT_EQ(judged(some, tern::Status::kFenceEmpty), 1u);
 }
 
+/// A ball at rest, as near as it may be to the plan's middle at (2, 1.25, 1.125) and 1e-5 nearer; and one that comes.
+TEST_F(Checker, Tracks) {
+  tern::Track ball;
+  ball.position = {102.0, -48.75 - 1.0, 11.125};
+  ball.radius = 0.25;
+  ball.error = 0.25;
+  request.tracks = &ball;
+  request.track_count = 1;
+  const auto count = [&](double until) {
+    Findings findings;
+    check_tracks(world, request, plan, until, "plan", findings);
+    return findings.size();
+  };
+  EXPECT_EQ(count(8.0), 0u);
+  ball.error += kSpoil;
+  EXPECT_EQ(count(8.0), 1u);
+  // Half of the way takes 2 s.
+  EXPECT_EQ(count(1.9), 0u);
+  ball.error -= kSpoil;
+  ball.position.y -= 6.0;
+  ball.velocity.y = 3.0;
+  ball.end = tern::TrackEnd::kStays;
+  ball.until = 2000000000;
+  EXPECT_EQ(count(8.0), 0u);
+  ball.velocity.y = 3.0 + kSpoil;
+  EXPECT_EQ(count(8.0), 1u);
+  ball.end = tern::TrackEnd::kGone;
+  ball.until = 1900000000;
+  EXPECT_EQ(count(8.0), 0u);
+}
+
 }  // namespace
 }  // namespace tern_attack

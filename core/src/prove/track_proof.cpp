@@ -159,13 +159,13 @@ void TrackProof::next_stretch(Work& work) noexcept {
 }
 
 /// Loads the tubes from at_ to `to`, or to the end of the track's span. True if the curve is near all of them.
-bool TrackProof::load(Time until) noexcept {
+bool TrackProof::load(Time to) noexcept {
   const Track& thing = grounds_.tracks[track_];
   const TrackTimes times{seconds(measured_), seconds(until_)};
   const DoubleDouble at = seconds(at_);
   const TrackSpan span = span_at(thing, times, piece_, seconds(piece_begin_), at);
-  const DoubleDouble to = earlier(seconds(until), span.end);
-  to_ = {to.high, to.low};
+  const DoubleDouble end = earlier(seconds(to), span.end);
+  to_ = {end.high, end.low};
   piece_ = span.piece;
   piece_begin_ = {span.begin.high, span.begin.low};
   number_ = depth_ = looked_at_ = 0;
@@ -176,17 +176,17 @@ bool TrackProof::load(Time until) noexcept {
   for (int i = 0; i < kControlPoints; ++i) points[i] = segment.points[segment_ < trajectory_->count ? i : kDegree];
   if (segment_ < trajectory_->count) {
     const DoubleDouble begin = seconds(segment_begin_);
-    take_part(points, share_of(at, begin, segment.duration), share_of(to, begin, segment.duration));
+    take_part(points, share_of(at, begin, segment.duration), share_of(end, begin, segment.duration));
   }
   ThingMotion motion;
-  move_thing(thing, trajectory_->origin, times, span, at, to, motion);
+  move_thing(thing, trajectory_->origin, times, span, at, end, motion);
   const double distance = (grounds_.radius + ball_of(thing)) - grant_;
   slack_ = make_tube(points, motion, distance, tube_[kError].points) + rounding_of_size(shape_size(thing));
   has_[kReach] = thing.reach > 0.0;
   if (has_[kReach]) {
     const double since = (at - times.measured).high;
     const Vec3 place = first_place(thing, trajectory_->origin);
-    hold(place, thing.error + thing.reach * since, thing.reach * (to - at).high, motion);
+    hold(place, thing.error + thing.reach * since, thing.reach * (end - at).high, motion);
     slack_ =
         larger(slack_, make_tube(points, motion, distance, tube_[kReach].points) + rounding_of_size(shape_size(thing)));
   }
@@ -198,7 +198,7 @@ bool TrackProof::load(Time until) noexcept {
     const bool leads_away = !(since < 0.0);
     has_[kLeave] = true;
     widen(tube_[kError].points, gap_ - grant_ + (leads_away ? kLeaveSpeed * since : 0.0),
-          leads_away ? kLeaveSpeed * (to - at).high : 0.0, tube_[kLeave].points);
+          leads_away ? kLeaveSpeed * (end - at).high : 0.0, tube_[kLeave].points);
   }
   for (int t = 0; t < kTubes; ++t) {
     if (has_[t] && axis_keeps_off(thing, tube_[t].points, slack_)) return false;

@@ -1,0 +1,230 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Things that move, in the world of a case: plans among them keep clear of each, by a checker of its own. It looks at
+// instants, and proves what lies between by how fast everything moves.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "attack/attack_case.hpp"
+
+namespace tern_attack {
+namespace {
+
+using tern::Status;
+using tern::Track;
+using tern::TrackEnd;
+using tern::TrackShape;
+
+constexpr int kMostThings = 6;
+
+Real seconds(std::int64_t from, std::int64_t to) {
+  return (static_cast<Real>(to) - static_cast<Real>(from)) * 1e-9L;
+}
+
+Point bezier(const tern::Vec3* points, Real u) {
+  constexpr Real kBinomial[] = {1, 7, 21, 35, 35, 21, 7, 1};
+  Point sum = point({0.0, 0.0, 0.0});
+  for (int i = 0; i < tern::kControlPoints; ++i) {
+    const Real weight = kBinomial[i] * std::pow(u, static_cast<Real>(i)) * std::pow(1 - u, static_cast<Real>(7 - i));
+    for (int a = 0; a < 3; ++a) sum[a] += weight * axis(points[i], a);
+  }
+  return sum;
+}
+
+/// The most that control points allow, m/s.
+Real fastest(const tern::Vec3* points, Real duration) {
+  Real most = 0;
+  for (int i = 0; i < tern::kDegree; ++i) {
+    const Point step = point(points[i + 1]) - point(points[i]);
+    most = std::max(most, std::sqrt(dot(step, step)));
+  }
+  return tern::kDegree * most / duration;
+}
+
+/// On a chain of curves, past its end at rest there.
+template <class PieceAt>
+Point on_chain(int count, const PieceAt& piece_at, Real t) {
+  for (int i = 0; i < count; ++i) {
+    const auto& piece = piece_at(i);
+    if (t < piece.duration) return bezier(piece.points, std::max<Real>(0, t / piece.duration));
+    t -= piece.duration;
+  }
+  return point(piece_at(count - 1).points[tern::kDegree]);
+}
+
+Real apart(const Track& track, const Point& p) {
+  if (track.shape == TrackShape::kBall) return std::sqrt(dot(p, p)) - track.radius;
+  const Real up = std::max<Real>(0, std::fabs(p[2]) - track.half.z);
+  if (track.shape == TrackShape::kCylinder) {
+    return std::hypot(std::max<Real>(0, std::hypot(p[0], p[1]) - track.radius), up);
+  }
+  const Real x = std::max<Real>(0, std::fabs(p[0]) - track.half.x);
+  return std::hypot(std::hypot(x, std::max<Real>(0, std::fabs(p[1]) - track.half.y)), up);
+}
+
+/// A trajectory beside a thing.
+struct Pair {
+  const tern::Trajectory& plan;
+  const Track& track;
+  Real radius;
+
+  /// How much more than is needed they are apart at `t`, seconds since the beginning of the plan.
+  Real gap(Real t) const {
+    const auto segment_at = [&](int i) -> const tern::Segment& { return plan.segments[i]; };
+    const Real since = seconds(track.measured, plan.begin) + t;
+    const bool ends = track.end != TrackEnd::kGoesOn;
+    const Real known = ends ? std::min(since, seconds(track.measured, track.until)) : since;
+    if (since < 0 || (since > known && track.end == TrackEnd::kGone)) return 1e9L;
+    const Point to = point(track.position) - point(plan.origin);
+    const Point p = on_chain(plan.count, segment_at, t) - to;
+    Point place = known * point(track.velocity);
+    Point first = point({0.0, 0.0, 0.0});
+    if (track.piece_count > 0) {
+      const auto piece_at = [&](int i) -> const tern::TrackPiece& { return track.pieces[i]; };
+      place = on_chain(track.piece_count, piece_at, known);
+      first = on_chain(track.piece_count, piece_at, 0);
+    }
+    const Real growth = track.end == TrackEnd::kReach ? track.reach * (since - known) : 0;
+    const Real error = track.error + known * (track.error_speed + track.error_growth * known / 2) + growth;
+    Real room = apart(track, p - place) - error;
+    if (track.reach > 0.0) room = std::max(room, apart(track, p - first) - track.error - track.reach * since);
+    return room - radius;
+  }
+
+  /// The most by which the gap changes in a second until `end`.
+  Real change(Real end) const {
+    Real mine = 0;
+    for (int s = 0; s < plan.count; ++s)
+      mine = std::max(mine, fastest(plan.segments[s].points, plan.segments[s].duration));
+    const Point v = point(track.velocity);
+    Real its = std::sqrt(dot(v, v));
+    for (int p = 0; p < track.piece_count; ++p) {
+      its = std::max(its, fastest(track.pieces[p].points, track.pieces[p].duration));
+    }
+    const Real since = std::max<Real>(0, seconds(track.measured, plan.begin) + end);
+    return mine + its + track.error_speed + track.error_growth * since + 2 * track.reach;
+  }
+};
+
+/// False if the gap is below -`slack` at some time from `begin` to `end`, which `when` gets.
+bool stays_clear(const Pair& pair, Real begin, Real end, Real slack, Real& when) {
+  constexpr int kMostPieces = 20000;
+  const Real change = pair.change(end);
+  struct Piece {
+    Real begin, end;
+  };
+  std::vector<Piece> open{{begin, end}};
+  for (int pieces = 0; !open.empty() && pieces < kMostPieces; ++pieces) {
+    const Piece piece = open.back();
+    open.pop_back();
+    const Real middle = (piece.begin + piece.end) / 2;
+    const Real gap = pair.gap(middle);
+    when = middle;
+    if (gap < -slack) return false;
+    const Real half = (piece.end - piece.begin) / 2;
+    // It may come into being or go within a piece, and then jumps.
+    if ((gap < 1e8L && gap - change * half >= -slack) || half < 1e-7L) continue;
+    if (gap >= 1e8L && pair.gap(piece.begin) >= 1e8L && pair.gap(piece.end) >= 1e8L && half < 0.05L) continue;
+    open.push_back({middle, piece.end});
+    open.push_back({piece.begin, middle});
+  }
+  return true;
+}
+
+Track make_thing(Rng& rng, const World& world, const Ask& ask) {
+  const tern::Vec3& from = ask.request.start.position;
+  const tern::Vec3& to = ask.request.goal.position;
+  const double size = std::max(1.0, 10.0 * world.spec.cell);
+  const double share = rng.real(-0.1, 1.1);
+  Track track;
+  for (int a = 0; a < 3; ++a) {
+    axis(track.velocity, a) = rng.chance(0.2) ? 0.0 : rng.real(-1.0, 1.0) * size * 0.3;
+    axis(track.position, a) = axis(from, a) + share * (axis(to, a) - axis(from, a)) + 0.5 * size * rng.real(-1.0, 1.0);
+    axis(track.half, a) = 0.1 * size * rng.unit();
+  }
+  const double age = rng.chance(0.1) ? rng.spread(10.0, 1e6) : rng.real(-2.0, 5.0);
+  track.measured = ask.request.begin - static_cast<std::int64_t>(age * 1e9);
+  track.until = std::max(track.measured, ask.request.begin) + static_cast<std::int64_t>(rng.real(0.0, 2e10));
+  track.shape = static_cast<TrackShape>(rng.integer(0, 2));
+  track.end = static_cast<TrackEnd>(rng.integer(0, 3));
+  track.radius = 0.1 * size * rng.unit();
+  track.error = rng.chance(0.5) ? 0.0 : 0.05 * size * rng.unit();
+  track.error_speed = rng.chance(0.5) || age > 10.0 ? 0.0 : 0.02 * size * rng.unit();
+  track.error_growth = rng.chance(0.7) || age > 10.0 ? 0.0 : 0.05 * size * rng.unit();
+  track.reach = rng.chance(0.8) ? 0.0 : 0.3 * size * rng.unit();
+  return track;
+}
+
+}  // namespace
+
+void check_tracks(const World& world, const tern::Request& request, const tern::Trajectory& plan, double until,
+                  const char* what, Findings& findings) {
+  constexpr Real kSlack = 1e-8L;  // a plan is granted 2 nm, and any other curve 4
+  for (int k = 0; k < request.track_count; ++k) {
+    const Pair pair{plan, request.tracks[k], world.radius()};
+    if (pair.gap(0) < -kSlack) continue;  // it leaves that one
+    Real when = 0;
+    if (stays_clear(pair, 0, until * (1 - 1e-13L), kSlack, when)) continue;
+    report(findings, "track", "%s: %.3Lg m too near to track %d after %.9Lf s of %.9f", what, -pair.gap(when), k, when,
+           until);
+  }
+}
+
+void attack_tracks(Context& context, Rng& own, tern::Planner& planner, const World& world, const Ask& ask,
+                   Status without) {
+  tern::Trajectory& out = context.bench.trajectory;
+  tern::Request request = ask.request;
+  Track things[kMostThings];
+  tern::TrackPiece pieces[tern::kMaxSegments];
+  const int count = own.integer(1, kMostThings);
+  request.begin = static_cast<std::int64_t>(own.spread(1.0, 1e18));
+  Ask dated;
+  dated.request = request;
+  for (int k = 0; k < count; ++k) things[k] = make_thing(own, world, dated);
+  if (without == Status::kOk && own.chance(0.3)) {
+    tern::Trajectory other = out;
+    other.begin = request.begin + static_cast<std::int64_t>(own.real(-2e9, 2e9));
+    other.origin.z += own.real(-0.5, 0.5);
+    tern::track_of(other, 0.2, pieces, tern::kMaxSegments, things[0]);
+  }
+  request.tracks = things;
+  request.track_count = count;
+  request.rest_clear = own.chance(0.5) ? 0.0 : own.real(0.0, 5.0);
+  request.previous = nullptr;
+  if (without == Status::kOk) {
+    out.begin = request.begin;
+    tern::TrackGrounds grounds;
+    grounds.tracks = things;
+    grounds.count = count;
+    grounds.radius = static_cast<double>(world.radius());
+    check_tracks(world, request, out, tern::clear_until(out, 0.0, grounds), "proof", context.findings);
+  }
+  tern::Report answer;
+  spoil(out);
+  const Status status = planner.plan(world.grid, request, out, answer);
+  ++context.tally.plans;
+  ++context.tally.status[static_cast<int>(status)];
+  if (context.verbose) std::printf("among %d things: %s\n", count, tern::status_name(status));
+  if (status == Status::kCheckFailed || status == Status::kInvalidArgument) {
+    return report(context.findings, "track", "%s", tern::status_name(status));
+  }
+  if (status != Status::kOk) {
+    if (!spoiled(out))
+      report(context.findings, "touched", "tracks: the output changed with %s", tern::status_name(status));
+    if (without == Status::kNoPath && status != without && !is_capacity(status)) {
+      report(context.findings, "track", "%s, and no_path without tracks", tern::status_name(status));
+    }
+    return;
+  }
+  check_plan(context.rng, world, request, out, 0.0, context.findings);
+  check_vias(world, request, out, answer, context.findings);
+  const double end = tern::duration(out);
+  check_tracks(world, request, out, end + request.rest_clear, "plan", context.findings);
+  const double rest = std::min(answer.rest_clear_until, end + 100.0);
+  if (rest < end) report(context.findings, "track", "rest_clear_until %.9g before the end, %.9g", rest, end);
+  check_tracks(world, request, out, rest, "rest", context.findings);
+}
+
+}  // namespace tern_attack
