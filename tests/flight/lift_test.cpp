@@ -192,9 +192,10 @@ TEST(Lift, LandsNowhereUnseen) {
 
 /// A level camera sees the ground below only from aside: it looks from there first.
 TEST(Lift, LooksForTheGroundBelowIt) {
-  for (const double x : {0.0, 1.5}) {
+  for (const double x : {0.0, 0.1, 1.5}) {
     SCOPED_TRACE(x);
     tern_test::FlightSettings s;
+    s.assumed = 1.55;
     Flown flown({}, s);
     flown.pads.push_back({x, 0.0, 0.15});
     ASSERT_EQ(flown.flight.land({x, 0.0, kStand}, 0.15, 0.5), Status::kOk);

@@ -220,6 +220,10 @@ TEST(LookoutWanted, IsAllBelowAPlaceToLand) {
   EXPECT_EQ(wanted_in(), 8) << "ground was hit there";
   room.mark({{8.26, 8.01, 2.6}, {8.49, 8.24, 2.7}});
   EXPECT_EQ(wanted_in(), 7) << "and here, a voxel deeper";
+  room.see_free({6.0, 6.0, 2.75}, {10.0, 10.0, 6.0});
+  EXPECT_EQ(wanted_in(), 7) << "where the upper one is free, the lower one is wanted";
+  room.see_free({6.0, 6.0, 2.5}, {10.0, 10.0, 6.0});
+  EXPECT_EQ(wanted_in(), 0) << "there is no ground";
 }
 
 TEST(LookoutWanted, OnlyWhatIsInTheWindowCanBeUnseen) {

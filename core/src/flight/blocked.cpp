@@ -131,8 +131,8 @@ bool Blockage::note_site(const RollingMap& map, const Vec3& place, double ground
     const Voxel top{x, y, above - 1};
     const Voxel deeper{x, y, above - 2};
     if (route.obstacle(top) || route.obstacle(deeper)) return false;
-    const bool is_hole = map.seen(top) && map.seen(deeper);
-    if (!is_hole) *this = {BlockedBy::kUnseen, window.origin + route.center(top), kNoFence};
+    const Voxel unseen = map.seen(top) ? deeper : top;
+    if (!map.seen(unseen)) *this = {BlockedBy::kUnseen, window.origin + route.center(unseen), kNoFence};
     return true;
   });
 }

@@ -17,6 +17,15 @@ std::int32_t outward(std::int32_t k) {
   return k % 2 == 1 ? (k + 1) / 2 : -(k / 2);
 }
 
+/// True if this unseen voxel, one of the two highest of its column that hold ground, should be looked at: no ground was
+/// hit in either, and the lower one only if the upper one was seen free.
+bool lacks_ground(const RollingMap& map, const Voxel& voxel, std::int32_t top) {
+  const Voxel upper{voxel.x, voxel.y, top};
+  const Voxel lower{voxel.x, voxel.y, top - 1};
+  if (map.route().obstacle(upper) || map.route().obstacle(lower)) return false;
+  return voxel.z == top || map.seen(upper);
+}
+
 }  // namespace
 
 bool is_unseen(const RollingMap& map, const Voxel& voxel) noexcept {
@@ -69,12 +78,11 @@ void Wanted::add_site(const RollingMap& map, const Vec3& place, double radius, d
   const std::int32_t above = ceil_index((ground - spec.origin.z) / spec.cell, 0, spec.dims.z);
   const std::int32_t side = 2 * reach + 1;
   const bool is_dense = dense == count;
-  const std::int32_t layers = floor_index(1.0 * (middle.z - above + 1), 0, 2 * kMostAround);
-  work.spend(2 * ops::kTurn * side * side * (layers + 1));
-  for (std::int32_t k = 0; k < side * side * (layers + 1) && count < kMaxWanted; ++k) {
-    const Voxel near{middle.x + outward(k % side), middle.y + outward(k / side % side), above - 1 + k / (side * side)};
-    const bool is_ground = near.z < above;
-    if (!is_unseen(map, near) || (is_ground && map.route().obstacle({near.x, near.y, near.z - 1}))) continue;
+  const std::int32_t layers = floor_index(1.0 * (middle.z - above + 1), 0, 2 * kMostAround) + 2;
+  work.spend(2 * ops::kTurn * side * side * layers);
+  for (std::int32_t k = 0; k < side * side * layers && count < kMaxWanted; ++k) {
+    const Voxel near{middle.x + outward(k % side), middle.y + outward(k / side % side), above - 2 + k / (side * side)};
+    if (!is_unseen(map, near) || (near.z < above && !lacks_ground(map, near, above - 1))) continue;
     Vec3 off = place - nearest_in_box(place, cube_of(safe, near));
     off.z = 0.0;
     const Vec3 centre = spec.origin + safe.center(near);
