@@ -151,15 +151,18 @@ TEST(LookoutOptics, AWallIsInTheWay) {
   LookoutMap room;
   const Optics optics(square_camera(), LookoutMap::spec_of_map());
   Work work;
-  const auto sees = [&](double margin) {
-    return optics.in_sight(room.map(), {2.125, 8.125, 4.125}, {6.125, 8.125, 4.125}, margin, work);
+  const SensorPose pose = optics.pose({2.125, 8.125, 4.125}, {1.0, 0.0}, {6.125, 8.125, 4.125});
+  const auto sees = [&](bool wide) {
+    const Vec3 voxel{6.125, 8.125, 4.125};
+    return wide ? optics.in_wide_sight(room.map(), pose, voxel, work)
+                : optics.in_sight(room.map(), pose.eye, voxel, work);
   };
-  EXPECT_TRUE(sees(0.5));
-  room.mark({{4.0, 8.25, 0.0}, {4.25, 12.0, 8.0}});  // beside the line, half a voxel from it
-  EXPECT_FALSE(sees(0.5));
-  EXPECT_TRUE(sees(0.05));
+  EXPECT_TRUE(sees(true));
+  room.mark({{5.5, 8.25, 0.0}, {5.75, 12.0, 8.0}});  // beside the line, half a voxel from it
+  EXPECT_FALSE(sees(true));
+  EXPECT_TRUE(sees(false));
   room.mark({{6.25, 0.0, 0.0}, {6.5, 16.0, 8.0}});  // right behind the voxel
-  EXPECT_FALSE(sees(0.05));
+  EXPECT_FALSE(sees(false));
   EXPECT_LT(work.operations(), 0);
 }
 

@@ -27,7 +27,7 @@ struct Searching : LookoutMap {
   LookoutAnswer ask(const Vec3& from, const Vec3& goal, std::uint32_t units = 1000000) {
     memory.assign(LookoutSearch::words(map().safe().spec().dims), 0xA5A5A5A5A5A5A5A5u);
     search.optics = Optics(sensor, LookoutMap::spec_of_map());
-    search.begin(map(), {from, goal, {1.0, 0.0}, {3.0, 6.0, 2.5, 8.0}}, memory.data());
+    search.begin(map(), {from, goal, {1.0, 0.0}, {3.0, 6.0, 2.5, 8.0}, false}, memory.data());
     Work work;
     slices = 0;
     for (Progress progress = Progress::kMore; progress == Progress::kMore && slices < 100000; ++slices) {
@@ -97,7 +97,7 @@ TEST(LookoutSearch, LooksPastAWall) {
   ASSERT_EQ(room.ask({5.125, 8.125, 4.125}, {12.125, 8.125, 4.125}), LookoutAnswer::kFound);
   Work work;
   for (std::int32_t k = 0; k < room.found().hidden_count; ++k) {
-    EXPECT_TRUE(room.search.optics.in_sight(room.map(), room.found().place, room.found().hidden[k], 0.05, work));
+    EXPECT_TRUE(room.search.optics.in_sight(room.map(), room.found().place, room.found().hidden[k], work));
   }
 }
 

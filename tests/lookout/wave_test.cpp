@@ -211,13 +211,15 @@ TEST(LookoutPlaces, AreThinned) {
     pool.wave.advance(pool.octets, false, work);
     places.take_front(pool.octets, pool.wave, work);
   }
-  EXPECT_GT(places.count, kMaxPlaces / 8);
+  EXPECT_GT(places.count, kMaxPlaces / 5);
   EXPECT_LE(places.count, kMaxPlaces);
-  EXPECT_GE(places.stride, 4);
+  EXPECT_GE(places.level, 3);
+  EXPECT_EQ(places.stride(), places.level % 2 == 0 ? places.stride_up() : 2 * places.stride_up());
   EXPECT_EQ(places.place[0].octet, pool.octets.index({31, 7, 3}));
   for (std::int32_t k = 1; k < places.count; ++k) {
     const Voxel at = pool.octets.octet(places.place[k].octet);
-    EXPECT_EQ((at.x | at.y | at.z) % places.stride, 0);
+    EXPECT_EQ((at.x | at.y) % places.stride(), 0);
+    EXPECT_EQ(at.z % places.stride_up(), 0);
     EXPECT_GT(places.place[k].steps, 0);
   }
 }

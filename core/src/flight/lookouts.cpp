@@ -39,6 +39,8 @@ constexpr double kAlignedCosine = 0.998;
 constexpr std::uint64_t kLookFrames = 3;
 constexpr std::int64_t kFrameDelay = 150000000;
 constexpr std::int64_t kLongestLook = 4000000000;
+/// A lookout from which nothing new was seen at all counts as so many more.
+constexpr int kBlindPrice = 2;
 /// A flight to a lookout takes at most so many times as long as it should, and kSlackOnWay seconds.
 constexpr double kLateOnWay = 2.5;
 constexpr double kSlackOnWay = 3.0;
@@ -83,7 +85,7 @@ void Lookouts::try_anew() noexcept {
   tried.clear();
   left = kMostLookouts;
   nearest = -1.0;
-  found_nothing = false;
+  found_nothing = is_last_try = false;
   wandering_due = 0;
   anchored = -1;
   not_before = 0;
@@ -135,10 +137,11 @@ void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& lo
     heading = {now.yaw.cosine, now.yaw.sine};
   }
   search.optics = Optics(flight.spec.sensor, flight.map.spec());
-  const Landing& landing = flight.landing;
-  search.begin(flight.map,
-               {end, goal_of(flight), heading, agility_of(flight, nose), looks_for_ground(flight), landing.ground},
-               words);
+  LookoutQuestion question{end, goal_of(flight), heading, agility_of(flight, nose)};
+  question.flat = is_last_try;
+  question.lands = looks_for_ground(flight);
+  question.ground = flight.landing.ground;
+  search.begin(flight.map, question, words);
   phase = LookoutPhase::kSearching;
   wandering_due = flight.itinerary.wandering;
 }
@@ -171,6 +174,7 @@ void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
   began = flight.time;
   aligned = -1;
   failed_cycles = 0;
+  learned = flight.map.learned();
 }
 
 std::int32_t Lookouts::count_unseen(const FlightFacts& flight) const noexcept {
@@ -188,6 +192,9 @@ void Lookouts::end(const FlightFacts& flight, bool looked, bool failed) noexcept
   for (std::int32_t k = 0; k < lookout.hidden_count && looked; ++k) {
     if (is_unseen_at(flight.map, lookout.hidden[k])) tried.note_voxel(lookout.hidden[k], lookout.place, cell);
   }
+  // The sensor may be blind: then no lookout helps.
+  const bool is_blind = looked && flight.map.learned() == learned;
+  if (is_blind) left = left > kBlindPrice ? left - kBlindPrice : 0;
   if (failed) tried.note_failure(lookout.place, lookout.look);
   phase = LookoutPhase::kIdle;
   anchored = -1;
@@ -243,6 +250,8 @@ bool Lookouts::needs_no_plan(const FlightFacts& flight) const noexcept {
 
 bool Lookouts::searches_again(const FlightFacts& flight) noexcept {
   found_nothing = false;
+  is_last_try = true;
+  tried.clear();
   not_before = flight.time;
   return may_help(flight);
 }

@@ -42,6 +42,7 @@ struct Lookouts {
 
   int left;            ///< lookouts until the vehicle gives up
   double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
+  bool is_last_try;    ///< the look around is over
   bool found_nothing;  ///< the last search at this place had no answer
   int wandering_due;   ///< the next lookout at so many plans without coming nearer
 
@@ -57,6 +58,7 @@ struct Lookouts {
   std::int64_t aligned;  ///< since when the sensor points there; negative: not yet
   std::uint64_t aligned_frames;
   int failed_cycles;
+  std::uint64_t learned;  ///< RollingMap::learned() at that time
 
   /// Forgets all reasons to give up, and the lookout.
   void try_anew() noexcept;
@@ -79,7 +81,8 @@ struct Lookouts {
   bool leads() const noexcept { return phase == LookoutPhase::kOnWay; }
   /// No plan is made: the vehicle is at the lookout, or what is committed leads there.
   bool needs_no_plan(const FlightFacts& flight) const noexcept;
-  /// After a look around, there may be a lookout where there was none. True if one will be sought.
+  /// After a look around, there may be a lookout where there was none: forgets what was tried. True if one will be
+  /// sought.
   bool searches_again(const FlightFacts& flight) noexcept;
   /// Another lookout may still help a vehicle that rests.
   bool may_help(const FlightFacts& flight) const noexcept;

@@ -4,16 +4,14 @@
 // The search's last stages: which lookout is the best.
 #include "base/math.hpp"
 #include "lookout/lookout_search.hpp"
-#include "tern/config.hpp"
 #include "yaw/angle.hpp"
 
 namespace tern {
 namespace {
 
-/// Every so many voxels are tried when places are ranked.
+/// Every so many voxels are tried when places are ranked, and when they are ranked again.
 constexpr std::int32_t kRankStride = 3;
-/// Margin of wide lines of sight, voxels: they are free for what is seen whatever small errors there are.
-constexpr double kWide = 0.5;
+constexpr std::int32_t kNextStride = 6;
 /// Seconds that a look takes, and those until a vehicle that flies somewhere begins to move.
 constexpr double kLookSeconds = 0.25;
 constexpr double kBeginSeconds = 0.3;
@@ -24,6 +22,9 @@ constexpr double kUnseenWay = 2.0;
 /// What a lookout costs that shows only a part of what comes first: so many times kNextLookout for nothing of it.
 constexpr double kPartPrice = 2.0;
 constexpr double kPartBase = 1.2;
+/// Voxels that were looked at in vain need a flat line of sight, because what is right below or above them hides them
+/// from steep lines: seconds for a line at 45 degrees.
+constexpr double kSteepPrice = 6.0;
 /// The middle of what is looked at must be so far away, seen from above, that there is a heading to it, metres.
 constexpr double kLeastFlat = 0.3;
 
@@ -65,7 +66,7 @@ double LookoutSearch::seconds_to(std::int32_t place, const Heading& heading) con
 }
 
 LookoutSearch::Sight LookoutSearch::look(const RollingMap& map, const Tried& tried, const Vec3& place,
-                                         const Heading& heading, const Vec3& at, std::int32_t stride, double margin,
+                                         const Heading& heading, const Vec3& at, std::int32_t stride, bool wide,
                                          Work& work) const noexcept {
   const SensorPose pose = optics.pose(place, heading, at);
   Sight sight{{0, 0}, 0, way_count_};
@@ -73,7 +74,8 @@ LookoutSearch::Sight LookoutSearch::look(const RollingMap& map, const Tried& tri
     const WantedVoxel& voxel = wanted_.voxel[k];
     const bool is_seen = optics.in_view(pose, voxel.centre) &&
                          (entry_[k] < 0 || !tried.voxel[entry_[k]].was_tried_from(place)) &&
-                         optics.in_sight(map, pose.eye, voxel.centre, margin, work);
+                         (wide ? optics.in_wide_sight(map, pose, voxel.centre, work)
+                               : optics.in_sight(map, pose.eye, voxel.centre, work));
     if (is_seen) {
       word_of(sight.seen, k) |= bit_of(k);
       if (k < wanted_.dense) ++sight.dense;
@@ -98,6 +100,10 @@ double LookoutSearch::cost(const RollingMap& map, const Vec3& place, double seco
   if (reached < way_count_) {
     sum += kNextLookout + kUnseenWay * (way_count_ - reached) * octets_.edge / question.agility.speed;
   }
+  if (was_tried_) {
+    const Vec3 way = wanted_.middle(false) - place;
+    sum += kSteepPrice * absolute(way.z) / larger(kLeastFlat, square_root(way.x * way.x + way.y * way.y));
+  }
   if (!opens) sum += kPartPrice * kNextLookout * (kPartBase - static_cast<double>(sight.dense) / tested);
   return sum;
 }
@@ -117,11 +123,16 @@ void LookoutSearch::keep(const Candidate& candidate) noexcept {
 void LookoutSearch::rank(const RollingMap& map, const Tried& tried, Work& work) noexcept {
   const double cell = map.safe().spec().cell;
   if (at_ == 0) {
-    for (std::int32_t k = 0; k < wanted_.count; ++k) entry_[k] = tried.find(wanted_.voxel[k].centre, cell);
+    was_tried_ = question.flat;
+    for (std::int32_t k = 0; k < wanted_.count; ++k) {
+      entry_[k] = tried.find(wanted_.voxel[k].centre, cell);
+      was_tried_ = was_tried_ || (k < wanted_.dense && entry_[k] >= 0);
+    }
     work.spend(2 * ops::kTurn * wanted_.count * tried.kept_voxels());
   }
   const Vec3 place = place_of(map, at_);
-  const std::int32_t tested = (wanted_.dense + kRankStride - 1) / kRankStride;
+  const std::int32_t stride = pass_ == 0 ? kRankStride : kNextStride;
+  const std::int32_t tested = (wanted_.dense + stride - 1) / stride;
   for (int h = 0; h < 2; ++h) {
     const bool at_all = h == 1;
     const Vec3 aimed_at = wanted_.middle(at_all);
@@ -129,7 +140,7 @@ void LookoutSearch::rank(const RollingMap& map, const Tried& tried, Work& work) 
     if (!aims(place, at_all, heading) || tried.has_failed(place, aimed_at, cell)) continue;
     const double seconds = seconds_to(at_, heading);
     if (is_worse_than_kept(seconds)) continue;
-    const Sight sight = look(map, tried, place, heading, aimed_at, kRankStride, kSightMargin, work);
+    const Sight sight = look(map, tried, place, heading, aimed_at, stride, pass_ == 1, work);
     for (std::size_t w = 0; w < sizeof ever_seen_ / sizeof ever_seen_[0]; ++w) ever_seen_[w] |= sight.seen[w];
     if (sight.dense > 0) keep({at_, at_all, cost(map, place, seconds, sight, tested)});
   }
@@ -145,8 +156,7 @@ void LookoutSearch::judge(const RollingMap& map, const Tried& tried, Work& work)
     const Vec3 place = place_of(map, candidate.place);
     Heading heading;
     if (!aims(place, candidate.at_all, heading)) return;
-    const double margin = is_narrow_ ? kSightMargin : kWide;
-    const Sight sight = look(map, tried, place, heading, wanted_.middle(candidate.at_all), 1, margin, work);
+    const Sight sight = look(map, tried, place, heading, wanted_.middle(candidate.at_all), 1, pass_ < 2, work);
     if (sight.dense == 0) return;
     const double value = cost(map, place, seconds_to(candidate.place, heading), sight, wanted_.dense);
     if (best_.place >= 0 && value >= best_.cost) return;
@@ -155,9 +165,10 @@ void LookoutSearch::judge(const RollingMap& map, const Tried& tried, Work& work)
     return;
   }
   if (best_.place >= 0) return conclude_judging(map);
-  if (!is_narrow_ && finalists_ > 0) {
-    is_narrow_ = true;
-    at_ = 0;
+  if (pass_ < 2 && (finalists_ > 0 || pass_ == 1)) {
+    ++pass_;
+    at_ = finalists_ = 0;
+    stage_ = Stage::kRank;
     return;
   }
   give_up_voxels(map);

@@ -176,7 +176,7 @@ void LookoutSearch::find_needs(const RollingMap& map, Work& work) noexcept {
   if (wanted_.count == 0) return lead_on(map);
   if (wanted_.dense == 0) wanted_.dense = wanted_.count;
   at_ = finalists_ = 0;
-  is_narrow_ = false;
+  pass_ = 0;
   for (std::uint64_t& word : ever_seen_) word = 0;
   stage_ = Stage::kRank;
 }

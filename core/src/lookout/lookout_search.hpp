@@ -36,6 +36,7 @@ struct LookoutQuestion {
   Vec3 goal;
   Heading nose;  ///< where it will point there; of length 1
   Agility agility;
+  bool flat = false;    ///< flat lines of sight are worth more than short ways
   bool lands = false;   ///< the vehicle is to descend from the goal to the ground,
   double ground = 0.0;  ///< which is no higher than this, world frame, metres
 };
@@ -108,7 +109,7 @@ struct LookoutSearch {
   bool aims(const Vec3& place, bool at_all, Heading& heading) const noexcept;
   double seconds_to(std::int32_t place, const Heading& heading) const noexcept;
   Sight look(const RollingMap& map, const Tried& tried, const Vec3& place, const Heading& heading, const Vec3& at,
-             std::int32_t stride, double margin, Work& work) const noexcept;
+             std::int32_t stride, bool wide, Work& work) const noexcept;
   double cost(const RollingMap& map, const Vec3& place, double seconds, const Sight& sight,
               std::int32_t tested) const noexcept;
 
@@ -131,10 +132,13 @@ struct LookoutSearch {
   std::int32_t share_;  ///< voxels that each place of the sparse part may want
   Wanted wanted_;
   std::int32_t entry_[kMaxWanted];  ///< of each wanted voxel in Tried; negative: none
+  bool was_tried_;                  ///< some of the dense voxels were looked at in vain
   std::uint64_t ever_seen_[(kMaxWanted + 63) / 64];
   Candidate finalist_[kFinalists];
   std::int32_t finalists_;
-  bool is_narrow_;  ///< the finalists are judged with thin lines of sight, because no wide one was free
+  /// 0: places are ranked with thin lines of sight, and judged with wide ones. 1: ranked with wide ones as well,
+  /// because none of the first finalists saw anything. 2: thin ones have to do.
+  int pass_;
   Candidate best_;
   Sight best_sight_;
 };

@@ -86,8 +86,22 @@ bool Optics::in_ring(const SensorPose& pose, const Vec3& way, double grown) cons
   return sensor_.horizontal >= 2.0 * kPi - 1e-3 || dot(way, pose.ahead) - reach >= cosine_side_ * level;
 }
 
-bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, double margin,
-                      Work& work) const noexcept {
+bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre,
+                           Work& work) const noexcept {
+  if (!in_sight(map, pose.eye, centre, work)) return false;
+  const Vec3 way = centre - pose.eye;
+  const double far = length(way);
+  const Vec3 side = cross(way, {0.0, 0.0, 1.0});
+  const double flat = length(side);
+  if (!(flat > 0.0)) return true;
+  const double reach = 0.5 * cell_ + pose_margin_ + angle_margin_ * far;
+  const Vec3 right = (reach / flat) * side;
+  const Vec3 up = (reach / (flat * far)) * cross(side, way);
+  return in_sight(map, pose.eye, centre - up + right, work) && in_sight(map, pose.eye, centre - up - right, work) &&
+         in_sight(map, pose.eye, centre + up + right, work) && in_sight(map, pose.eye, centre + up - right, work);
+}
+
+bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept {
   const Grid& grid = map.route();
   const Vec3 from = grid.to_local(eye);
   const Vec3 to = grid.to_local(centre);
@@ -98,7 +112,7 @@ bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre
   const Vec3 beyond = to + (behind / far) * way;
   const bool is_inside = grid.inside(grid.voxel_of(beyond));
   work.spend(sight_operations(grid, from, beyond));
-  return line_of_sight(GridAccess::bare(grid), from, is_inside ? beyond : to, margin);
+  return line_of_sight(GridAccess::bare(grid), from, is_inside ? beyond : to);
 }
 
 }  // namespace tern

@@ -32,8 +32,11 @@ class Optics {
   /// True if the whole cube with this centre is in view and within the range, for all errors of pose and depth.
   bool in_view(const SensorPose& pose, const Vec3& centre) const noexcept;
   /// True if nothing that was seen is on the way to the cube's centre, nor so near behind it that the cube would not
-  /// count as seen. Lines pass obstacles in at least `margin` voxels, 0 .. 0.5. `map` must be bound.
-  bool in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, double margin, Work& work) const noexcept;
+  /// count as seen. `map` must be bound.
+  bool in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept;
+  /// The same for all of the cube: lines to its centre and to four corners of its outline, which is grown by the errors
+  /// of the pose. Where a floor is right below a voxel, only flat lines pass.
+  bool in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre, Work& work) const noexcept;
   bool is_scanner() const noexcept { return is_scanner_; }
 
  private:

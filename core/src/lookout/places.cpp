@@ -5,8 +5,8 @@
 namespace tern {
 namespace {
 
-/// Of a coarser lattice there is always room for all places of a row.
-constexpr std::int32_t kCoarsest = kOctetsX;
+/// Of the coarsest lattice there is room for all places.
+constexpr std::int32_t kLastLevel = 12;
 
 /// The bits of a row whose index is a multiple of `stride`.
 std::uint64_t every(std::int32_t stride) {
@@ -15,43 +15,43 @@ std::uint64_t every(std::int32_t stride) {
   return mask;
 }
 
-bool is_on(const Voxel& octet, std::int32_t stride) {
-  return octet.x % stride == 0 && octet.y % stride == 0 && octet.z % stride == 0;
-}
-
 }  // namespace
+
+bool Places::is_on_lattice(const Voxel& octet) const noexcept {
+  return octet.x % stride() == 0 && octet.y % stride() == 0 && octet.z % stride_up() == 0;
+}
 
 void Places::begin(std::int32_t octet) noexcept {
   place[0] = {octet, 0};
   count = 1;
-  stride = 1;
+  level = 0;
 }
 
 /// The place where the vehicle is stays.
 void Places::thin(const Octets& octets) noexcept {
-  stride *= 2;
+  ++level;
   std::int32_t kept = 1;
   for (std::int32_t k = 1; k < count; ++k) {
-    if (is_on(octets.octet(place[k].octet), stride)) place[kept++] = place[k];
+    if (is_on_lattice(octets.octet(place[k].octet))) place[kept++] = place[k];
   }
   count = kept;
 }
 
 void Places::take_front(const Octets& octets, const Wave& wave, Work& work) noexcept {
   std::int32_t taken = 0;
-  std::uint64_t mask = every(stride);
+  std::uint64_t mask = every(stride());
   for (std::int32_t z = wave.planes.begin; z < wave.planes.end; ++z) {
     for (std::int32_t y = wave.rows.begin; y < wave.rows.end; ++y) {
-      if (y % stride != 0 || z % stride != 0) continue;
+      if (!is_on_lattice({0, y, z})) continue;
       std::uint64_t bits = wave.front[octets.row({0, y, z})] & octets.known[octets.row({0, y, z})] & mask;
-      for (; bits != 0 && y % stride == 0 && z % stride == 0; bits &= bits - 1) {  // 64 turns at most
-        if (count == kMaxPlaces && stride < kCoarsest) {
+      for (; bits != 0 && is_on_lattice({0, y, z}); bits &= bits - 1) {  // 64 turns at most
+        if (count == kMaxPlaces && level < kLastLevel) {
           thin(octets);
-          mask = every(stride);
+          mask = every(stride());
           ++taken;
         }
         const Voxel octet{__builtin_ctzll(bits), y, z};
-        if (count == kMaxPlaces || !is_on(octet, stride)) continue;
+        if (count == kMaxPlaces || !is_on_lattice(octet)) continue;
         place[count++] = {octets.index(octet), wave.step};
         ++taken;
       }

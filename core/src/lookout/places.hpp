@@ -13,8 +13,8 @@
 
 namespace tern {
 
-/// Places that a search for a lookout compares, at most. If a wave reaches more, they are thinned to every second octet
-/// along each axis, and so on.
+/// Places that a search for a lookout compares, at most. If a wave reaches more, they are thinned, in turn to every
+/// second octet along x and y and along z.
 constexpr std::int32_t kMaxPlaces = 160;
 
 struct ReachedPlace {
@@ -25,13 +25,18 @@ struct ReachedPlace {
 struct Places {
   ReachedPlace place[kMaxPlaces];
   std::int32_t count;
-  std::int32_t stride;  ///< octets from one place to the next along each axis, a power of two
+  std::int32_t level;  ///< how often they were thinned
 
   void begin(std::int32_t octet) noexcept;
   /// Takes what the wave's last step reached.
   void take_front(const Octets& octets, const Wave& wave, Work& work) noexcept;
 
+  /// Octets from one place to the next along x and y, and along z: powers of two.
+  std::int32_t stride() const noexcept { return std::int32_t{1} << (level + 1) / 2; }
+  std::int32_t stride_up() const noexcept { return std::int32_t{1} << level / 2; }
+
  private:
+  bool is_on_lattice(const Voxel& octet) const noexcept;
   void thin(const Octets& octets) noexcept;
 };
 
