@@ -4,6 +4,7 @@
 // Proofs that rely on earlier ones, or begin where something is too near; and what a map says has become solid.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -109,6 +110,59 @@ TEST(ProofGrounds, OnTheGroundOnlyTheGroundMayBeNear) {
   EXPECT_EQ(deeper.finding, Finding::kOutside);
   // And not along the ground.
   EXPECT_EQ(prove(floor_and(nothing).grid, move(place, {0.5, 0.0, 0.0}), standing).finding, Finding::kObstacle);
+}
+
+/// By how much the points of a vertical line keep off all voxels, by the rule in words. Lines and cubes are convex: the
+/// nearest point of the line to a cube is at the clamped height.
+double spare_on_line(const Grid& grid, const Vec3& place, double ground, double rise) {
+  const GridSpec& spec = grid.spec();
+  double spare = 1e9;
+  for (int z = 0; z < spec.dims.z; ++z) {
+    for (int y = 0; y < spec.dims.y; ++y) {
+      for (int x = 0; x < spec.dims.x; ++x) {
+        if (!grid.obstacle({x, y, z})) continue;
+        const Vec3 low{spec.origin.x + x * spec.cell, spec.origin.y + y * spec.cell, spec.origin.z + z * spec.cell};
+        const auto gap = [&](double at, double from) { return std::max({0.0, from - at, at - from - spec.cell}); };
+        const double aside = std::hypot(gap(place.x, low.x), gap(place.y, low.y));
+        const double height = std::min(std::max(place.z, low.z), place.z + rise);
+        const double nearest = std::hypot(aside, gap(height, low.z));
+        const double standing = std::hypot(aside, gap(place.z, low.z));
+        const double kept = low.z < ground ? std::min(spec.clearance(), standing) : spec.clearance();
+        spare = std::min(spare, nearest - kept);
+      }
+    }
+  }
+  return spare;
+}
+
+/// Up and down, among random voxels, held against that rule.
+TEST(ProofGrounds, LiftsKeepWhatTheRuleSays) {
+  Random random(77);
+  int clear = 0;
+  int met = 0;
+  for (int k = 0; k < tern_test::scaled(400); ++k) {
+    Chamber room;
+    const Vec3 place{random.real(3.0, 7.0), random.real(-2.0, 2.0), random.real(0.6, 2.0)};
+    const double ground = place.z - random.real(-0.1, 0.3);
+    for (int b = 0; b < 6; ++b) {
+      const Voxel voxel{static_cast<int>((place.x - 2.0 + random.real(-0.6, 0.6)) / 0.1),
+                        static_cast<int>((place.y + 3.0 + random.real(-0.6, 0.6)) / 0.1),
+                        static_cast<int>((place.z + random.real(-0.5, b < 4 ? 0.0 : 1.5)) / 0.1)};
+      EXPECT_EQ(room.grid.mark_voxel(voxel), Status::kOk);
+    }
+    const double rise = random.real(0.5, 1.2);
+    const double spare = spare_on_line(room.grid, place, ground, rise);
+    if (std::abs(spare) < 1e-6 && spare != 0.0) continue;
+    ProofGrounds standing{nullptr, &place};
+    standing.ground = &ground;
+    const Finding expected = spare < 0.0 ? Finding::kObstacle : Finding::kNone;
+    EXPECT_EQ(prove(room.grid, move(place, {0.0, 0.0, rise}), standing).finding, expected) << k;
+    EXPECT_EQ(prove(room.grid, move({place.x, place.y, place.z + rise}, {0.0, 0.0, -rise}), standing).finding, expected)
+        << k;
+    ++(spare < 0.0 ? met : clear);
+  }
+  EXPECT_GT(clear, 0);
+  EXPECT_GT(met, 0);
 }
 
 /// A wall along x is one run of voxels: those near the place are each held against their own distance.
