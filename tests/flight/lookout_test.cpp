@@ -318,6 +318,21 @@ TEST(FlightLookout, ComesAfterASurveyWhereTheWayBegins) {
   EXPECT_FALSE(state.search.wants_survey(state.facts));
 }
 
+/// A flight that gives up names the voxel that it looked at from the most directions and did not see.
+TEST(FlightLookout, NamesWhatItLookedAtInVain) {
+  Stuck room;
+  FlightState& state = room.state();
+  const Vec3 once{3.125, 1.125, 1.125};
+  const Vec3 twice{3.125, 0.125, 1.125};
+  const Vec3 seen{2.125, 0.125, 1.125};
+  room.look().tried.note_voxel(once, room.start, FlightRoom::kCell);
+  for (int k = 0; k < 2; ++k) room.look().tried.note_voxel(twice, room.start, FlightRoom::kCell);
+  for (int k = 0; k < 3; ++k) room.look().tried.note_voxel(seen, room.start, FlightRoom::kCell);
+  state.park(FlightReason::kNoProgress);
+  EXPECT_EQ(state.block.by, BlockedBy::kUnseen);
+  expect_same(state.block.at, twice);
+}
+
 /// After a look around, a search may find what it did not find before: the flight gives up only after that.
 TEST(FlightLookout, IsSoughtOnceMoreAfterALookAround) {
   Stuck room;

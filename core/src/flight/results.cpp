@@ -219,10 +219,17 @@ void FlightState::park(FlightReason why) noexcept {
   }
   facts.itinerary.park(why);
   search.end_look();
+  if (why == FlightReason::kNoProgress) note_tried();
   if (is_occupied) block.note_near(facts.map, cycle.aim.target_place, facts.map.route(), tick_work);
   if (why == FlightReason::kHemmedIn) {
     block.note_near(facts.map, cycle.aim.start.d[0], facts.map.safe(), tick_work);
   }
+}
+
+/// What was looked at in vain is why there is no progress.
+void FlightState::note_tried() noexcept {
+  const std::int32_t entry = lookouts.tried.most_tried(facts.map);
+  if (entry >= 0) block = {BlockedBy::kUnseen, lookouts.tried.voxel[entry].centre, kNoFence};
 }
 
 /// True if the mission goes on without the point, or ended.

@@ -3,6 +3,7 @@
 #include "lookout/tried.hpp"
 
 #include "base/math.hpp"
+#include "lookout/wanted.hpp"
 
 namespace tern {
 namespace {
@@ -59,10 +60,13 @@ bool Tried::has_failed(const Vec3& place, const Vec3& look, double cell) const n
   return false;
 }
 
-std::int32_t Tried::count_hopeless() const noexcept {
-  std::int32_t sum = 0;
-  for (std::int32_t k = 0; k < kept_voxels(); ++k) sum += voxel[k].is_hopeless() ? 1 : 0;
-  return sum;
+std::int32_t Tried::most_tried(const RollingMap& map) const noexcept {
+  std::int32_t best = -1;
+  for (std::int32_t k = 0; k < kept_voxels(); ++k) {
+    if (!is_unseen_at(map, voxel[k].centre)) continue;
+    if (best < 0 || voxel[k].directions > voxel[best].directions) best = k;
+  }
+  return best;
 }
 
 }  // namespace tern

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "tern/map.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -51,7 +52,8 @@ struct Tried {
   /// A lookout like this one was of no use.
   bool has_failed(const Vec3& place, const Vec3& look, double cell) const noexcept;
   std::int32_t kept_voxels() const noexcept { return voxels < kTriedVoxels ? voxels : kTriedVoxels; }
-  std::int32_t count_hopeless() const noexcept;
+  /// The voxel that was looked at from the most directions, of those that are still unseen: its entry, or negative.
+  std::int32_t most_tried(const RollingMap& map) const noexcept;
 };
 
 }  // namespace tern
