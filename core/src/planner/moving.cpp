@@ -10,10 +10,11 @@ namespace tern {
 namespace {
 
 /// Seconds. The longest outlasts a keep-out of half a minute in the middle of the way.
-constexpr double kWait[kWaits] = {0.0, 0.25, 0.5,  1.0,  1.5,  2.0,  2.5,  3.0,  4.0,  5.0,  6.5,
-                                  8.0, 10.0, 12.5, 15.0, 18.0, 22.0, 27.0, 33.0, 40.0, 50.0, 60.0};
+constexpr double kWait[kWaits] = {0.0,  0.25, 0.5,  0.75, 1.0,  1.25, 1.5,  1.75, 2.0,  2.5,
+                                  3.0,  3.5,  4.0,  4.5,  5.0,  6.0,  7.0,  8.0,  9.0,  10.0,
+                                  11.5, 13.0, 15.0, 18.0, 22.0, 27.0, 33.0, 40.0, 50.0, 60.0};
 /// Factors of each segment's duration.
-constexpr double kPace[kPaces] = {1.0, 1.15, 1.35, 1.7, 2.2};
+constexpr double kPace[kPaces] = {1.0, 1.08, 1.18, 1.3, 1.5, 1.8, 2.2};
 
 /// s. No segment has no duration, so that of a plan that waits for nothing has this one.
 constexpr double kLeastWait = 1e-2;

@@ -38,8 +38,8 @@ struct Conflict {
 };
 
 /// Waits and paces that are tried, in the order of the plan's end.
-constexpr int kWaits = 22;
-constexpr int kPaces = 5;
+constexpr int kWaits = 30;
+constexpr int kPaces = 7;
 constexpr int kWaitingTries = kWaits * kPaces;
 
 struct Waiting {
