@@ -137,6 +137,7 @@ void TrackProof::next_stretch(Work& work) noexcept {
   const DoubleDouble at = seconds(at_);
   const DoubleDouble end = seconds(end_);
   if (!(at < end)) {
+    work.spend(ops::kCurve);
     running_ = track_ + 1 < grounds_.count;
     if (running_) return enter_track(track_ + 1);
     report_.until = larger(report_.until, end.high);
@@ -153,7 +154,7 @@ void TrackProof::next_stretch(Work& work) noexcept {
   }
   const DoubleDouble leave = seconds(from_) + DoubleDouble(kLeaveTime);
   if (grounds_.leaves && at < leave) to = earlier(to, leave);
-  work.spend(2 * ops::kCurve);
+  work.spend(4 * ops::kCurve);
   is_open_ = load({to.high, to.low});
   if (!is_open_) pass();
 }
