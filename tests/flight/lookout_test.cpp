@@ -318,6 +318,22 @@ TEST(FlightLookout, ComesAfterASurveyWhereTheWayBegins) {
   EXPECT_FALSE(state.search.wants_survey(state.facts));
 }
 
+/// A vehicle that gains centimetres at a time never looks around: after five searches in vain, what was tried is
+/// forgotten, once.
+TEST(FlightLookout, ForgetsWhatItTriedAfterFiveSearchesInVain) {
+  Stuck room;
+  room.set_seen(true);
+  room.search();  // all of the way is known: it leads on, once
+  room.look().phase = LookoutPhase::kIdle;
+  room.look().tried.note_voxel({3.125, 1.125, 1.125}, room.start, FlightRoom::kCell);
+  for (int k = 1; k < kInVain; ++k) room.search();
+  EXPECT_EQ(room.look().tried.kept_voxels(), 1);
+  EXPECT_FALSE(room.look().is_last_try);
+  room.search();
+  EXPECT_EQ(room.look().tried.kept_voxels(), 0);
+  EXPECT_TRUE(room.look().is_last_try);
+}
+
 /// A flight that gives up names the voxel that it looked at from the most directions and did not see.
 TEST(FlightLookout, NamesWhatItLookedAtInVain) {
   Stuck room;

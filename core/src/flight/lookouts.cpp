@@ -86,6 +86,7 @@ void Lookouts::try_anew() noexcept {
   left = kMostLookouts;
   nearest = -1.0;
   found_nothing = is_last_try = false;
+  in_vain = 0;
   wandering_due = 0;
   anchored = -1;
   not_before = 0;
@@ -167,8 +168,10 @@ void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
   phase = LookoutPhase::kIdle;
   if (!accept(flight)) {
     not_before = flight.time + kAfterNothing;
+    if (++in_vain == kInVain && !is_last_try) searches_again(flight);
     return;
   }
+  in_vain = 0;
   phase = LookoutPhase::kOnWay;
   --left;
   began = flight.time;

@@ -18,6 +18,8 @@ namespace tern {
 /// Lookouts without coming kNearer metres nearer to the next point, after which the vehicle looks for no more.
 constexpr int kMostLookouts = 8;
 constexpr double kNearer = 0.5;
+/// Searches without an answer after which what was tried is forgotten, once.
+constexpr int kInVain = 5;
 /// Cycles on the way to a lookout that may fail while the vehicle rests.
 constexpr int kFailedCycles = 6;
 
@@ -42,7 +44,8 @@ struct Lookouts {
 
   int left;            ///< lookouts until the vehicle gives up
   double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
-  bool is_last_try;    ///< the look around is over
+  bool is_last_try;    ///< the look around is over, or there were kInVain searches in vain
+  int in_vain;         ///< searches in a row that had no answer
   bool found_nothing;  ///< the last search at this place had no answer
   int wandering_due;   ///< the next lookout at so many plans without coming nearer
 
