@@ -11,6 +11,8 @@
 namespace tern_onboard {
 namespace {
 
+constexpr double kAllAround = 6.2831853071795862;  // 2 pi
+
 std::int32_t voxels(double metres, double cell) {
   return static_cast<std::int32_t>(std::ceil(metres / cell - 1e-9));
 }
@@ -53,7 +55,7 @@ tern::FlightSpec flight_spec_of(const Settings& settings) {
   spec.horizon = s.horizon;
   spec.yaw_rate = s.yaw_rate;
   spec.stale_after = std::llround(1e9 * settings.watch.stale_after);
-  if (s.field_of_view > 0.0) spec.sensor.horizontal = s.field_of_view;
+  spec.sensor.horizontal = s.field_of_view > 0.0 ? s.field_of_view : kAllAround;
   return spec;
 }
 
