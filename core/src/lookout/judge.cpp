@@ -83,7 +83,7 @@ LookoutSearch::Sight LookoutSearch::look(const RollingMap& map, const Tried& tri
       sight.until = voxel.at;
     }
   }
-  work.spend(4 * ops::kDot * (wanted_.count / stride + 1));
+  work.spend(8 * ops::kDot * (wanted_.count / stride + 1));
   return sight;
 }
 

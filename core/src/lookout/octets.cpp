@@ -83,7 +83,7 @@ void Octets::read_plane(const RollingMap& map, std::int32_t z, Work& work) noexc
     known[z * count.y + y] = safe;
     open[z * count.y + y] = route & ~safe;
   }
-  work.spend(32 * ops::kWord * count.y);
+  work.spend(150 * ops::kWord * count.y);
 }
 
 void Octets::close_around(const Voxel& voxel, double radius) const noexcept {

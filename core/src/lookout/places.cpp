@@ -57,7 +57,7 @@ void Places::take_front(const Octets& octets, const Wave& wave, Work& work) noex
       }
     }
   }
-  work.spend(2 * ops::kWord * (wave.planes.end - wave.planes.begin) * (wave.rows.end - wave.rows.begin) +
+  work.spend(5 * ops::kWord * (wave.planes.end - wave.planes.begin) * (wave.rows.end - wave.rows.begin) +
              4 * ops::kTurn * taken + kOctetsX);
 }
 

@@ -8,7 +8,7 @@ namespace {
 /// Numbers of steps are kept modulo this.
 constexpr std::int32_t kTurn = 8;
 /// Operations of a row in a step: nine words of the front, and the layers.
-constexpr Operations kRowOperations = 14 * ops::kWord;
+constexpr Operations kRowOperations = 22 * ops::kWord;
 
 /// More than any squared distance of two octets.
 constexpr std::int32_t kTooFar = 3 * kOctetsX * kOctetsX;
