@@ -23,7 +23,7 @@ namespace tern {
 
 /// Points or beams of a piece, and the operations of such a piece: each is sorted into a face, and marked.
 constexpr std::size_t kPiecePoints = 64;
-constexpr Operations kPointsOperations = 64 * 19 * ops::kDot;
+constexpr Operations kPointsOperations = 64 * 21 * ops::kDot;
 /// Operations of marking a word of the prior in the layers of both grids, with their changes.
 constexpr Operations kMarkOperations = 11 * ops::kWord;
 
