@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/pipeline.hpp"
 
+#include <new>
+
 #include "base/capacity.hpp"
 #include "base/track_fault.hpp"
 #include "planner/hints.hpp"
@@ -82,7 +84,7 @@ Status Pipeline::end(Stage stage, Status status) noexcept {
 
 Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode& mode, const Clock& clock) noexcept {
   Layout* const memory = memory_;
-  *this = Pipeline(*memory);
+  new (this) Pipeline(*memory);  // in place: it is too large for the stack
   route_only_ = mode.route_only;
   ledger_.clear(clock);
   failure_.via = kNoVia;
