@@ -16,6 +16,7 @@
 #include "host/text_records.hpp"
 #include "support/own_folder.hpp"
 #include "support/random.hpp"
+#include "support/world_refusal.hpp"
 
 namespace {
 
@@ -53,33 +54,29 @@ TEST(FlightPads, OnlyTheGroundDoesNotCount) {
   EXPECT_NEAR(tern_host::clearance_of_flight(world, {5.0, 0.0, 1.15}, 0.1), 0.502494, 1e-6);
 }
 
-/// Why a world with these records is refused; empty where it is not.
-std::string refusal(const std::string& records) {
-  const std::string path = tern_test::own_folder() + "ground_world.txt";
-  tern_host::write_file(path, "boundary -5 -5 0 15 5 4\nstart 0 0 0.15\ngoal 8 0 1\n" + records);
-  try {
-    tern_host::read_flight_world(path, {});
-  } catch (const tern_host::RecordError& error) {
-    return error.reason();
-  }
-  return "";
+/// Why a world with these further records is refused.
+std::string refusal_on_ground(const std::string& records) {
+  return tern_test::world_refusal("boundary -5 -5 0 15 5 4\nstart 0 0 0.15\ngoal 8 0 1\n" + records);
 }
 
 TEST(FlightPads, WhatIsStatedMustBeTrue) {
-  EXPECT_EQ(refusal("column 0.05 1.3 3\n"), "");
-  EXPECT_EQ(refusal("column 0.05 1.3 3\nblock -1 -1 -1 1 1 0.05\n"), "");
-  EXPECT_EQ(refusal("column -0.1 1.3 3\n"), "column: the ground is higher, at 0");
-  EXPECT_EQ(refusal("column 0.05 1.3 4\n"), "column: it is not within the boundary");
-  EXPECT_EQ(refusal("column 0.05 5.5 3\n"), "column: it is not within the boundary");
-  EXPECT_EQ(refusal("column 0.05 1.3 3\nblock 1 -1 0 2 1 0.3\n"),
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3 3\n"), "");
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3 3\nblock -1 -1 -1 1 1 0.05\n"), "");
+  EXPECT_EQ(refusal_on_ground("column -0.1 1.3 3\n"), "column: the ground is higher, at 0");
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3 4\n"), "column: it is not within the boundary");
+  EXPECT_EQ(refusal_on_ground("column 0.05 5.5 3\n"), "column: it is not within the boundary");
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3 3\nblock 1 -1 0 2 1 0.3\n"),
             "column: a block is in it, 1 m from its axis and up to 0.3 m high");
-  EXPECT_EQ(refusal("column 0.05 1.3 3\ncylinder 1 0 0 4 0.25\n"), "column: a cylinder is in it, 0.75 m from its axis");
-  EXPECT_EQ(refusal("column 0.05 1.3 3\ncylinder 2 0 0 4 0.25\n"), "");
-  EXPECT_EQ(refusal("column 0.05 1.3\n"), "'column' needs the ground's height, a radius and a height, found 2");
-  EXPECT_EQ(refusal("column 0.05 0 3\n"), "column 0 is not within 0.01 .. 100");
-  EXPECT_EQ(refusal("land 0.05 0\n"), "land 0 is not within 0.01 .. 100");
-  EXPECT_EQ(refusal("land 0.05\n"), "'land' needs the ground's height and a speed, found 1");
-  EXPECT_EQ(refusal("via 1 0 1\nland 0.05 0.5\n"), "land is for worlds without vias, and without goal_jitter");
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3 3\ncylinder 1 0 0 4 0.25\n"),
+            "column: a cylinder is in it, 0.75 m from its axis");
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3 3\ncylinder 2 0 0 4 0.25\n"), "");
+  EXPECT_EQ(refusal_on_ground("column 0.05 1.3\n"),
+            "'column' needs the ground's height, a radius and a height, found 2");
+  EXPECT_EQ(refusal_on_ground("column 0.05 0 3\n"), "column 0 is not within 0.01 .. 100");
+  EXPECT_EQ(refusal_on_ground("land 0.05 0\n"), "land 0 is not within 0.01 .. 100");
+  EXPECT_EQ(refusal_on_ground("land 0.05\n"), "'land' needs the ground's height and a speed, found 1");
+  EXPECT_EQ(refusal_on_ground("via 1 0 1\nland 0.05 0.5\n"),
+            "land is for worlds without vias, and without goal_jitter");
 }
 
 /// The watch looks at every tick, and the record flies again to the same bits.

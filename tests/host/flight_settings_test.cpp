@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "host/atomic_file.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/text_records.hpp"
-#include "support/own_folder.hpp"
+#include "support/world_refusal.hpp"
 
 namespace {
 
@@ -89,23 +88,18 @@ TEST(FlightSettings, AD435IsFixedToTheBody) {
 }
 
 /// Why a world with these further lines is refused.
-std::string world_refusal(const std::string& lines) {
-  const std::string path = tern_test::own_folder() + "tern_faulty_world.txt";
-  tern_host::write_file(path, "boundary -5 -5 0 15 5 3\ngoal 8 0 1\n" + lines);
-  try {
-    tern_host::read_flight_world(path, {});
-  } catch (const tern_host::RecordError& error) {
-    return error.reason();
-  }
-  return "";
+std::string refusal_of_world(const std::string& lines) {
+  return tern_test::world_refusal("boundary -5 -5 0 15 5 3\ngoal 8 0 1\n" + lines);
 }
 
 TEST(FlightSettings, ObstaclesAppear) {
-  EXPECT_EQ(world_refusal("appear 2 block 1 1 1 2 2 2\nappear 3.5 cylinder 4 0 0 3 0.3\n"), "");
-  EXPECT_EQ(world_refusal("appear 2 wall 1 1 1 2 2 2\n"), "appear is followed by a time, and by a block or a cylinder");
-  EXPECT_EQ(world_refusal("appear block 1 1 1 2 2 2\n"), "appear is followed by a time, and by a block or a cylinder");
-  EXPECT_EQ(world_refusal("appear -1 cylinder 4 0 0 3 0.3\n"), "appear -1 is not within 0 .. 10000");
-  EXPECT_EQ(world_refusal("appear 1 cylinder 4 0 0 3\n"), "'cylinder' needs x y z0 z1 r, found 4");
+  EXPECT_EQ(refusal_of_world("appear 2 block 1 1 1 2 2 2\nappear 3.5 cylinder 4 0 0 3 0.3\n"), "");
+  EXPECT_EQ(refusal_of_world("appear 2 wall 1 1 1 2 2 2\n"),
+            "appear is followed by a time, and by a block or a cylinder");
+  EXPECT_EQ(refusal_of_world("appear block 1 1 1 2 2 2\n"),
+            "appear is followed by a time, and by a block or a cylinder");
+  EXPECT_EQ(refusal_of_world("appear -1 cylinder 4 0 0 3 0.3\n"), "appear -1 is not within 0 .. 10000");
+  EXPECT_EQ(refusal_of_world("appear 1 cylinder 4 0 0 3\n"), "'cylinder' needs x y z0 z1 r, found 4");
 }
 
 TEST(FlightSettings, TheGoalMayLieInAnObstacleOrOutside) {
@@ -118,8 +112,8 @@ TEST(FlightSettings, TheGoalMayLieInAnObstacleOrOutside) {
     EXPECT_EQ(goal(name, "occupied").first, 0.0) << name;
     EXPECT_EQ(goal(name, "outside").first, -5.0) << name;
   }
-  EXPECT_EQ(world_refusal("goal_place occupied\n"), "goal_place occupied: there is no obstacle");
-  EXPECT_EQ(world_refusal("via 1 0 1\ngoal_jitter 1\n"),
+  EXPECT_EQ(refusal_of_world("goal_place occupied\n"), "goal_place occupied: there is no obstacle");
+  EXPECT_EQ(refusal_of_world("via 1 0 1\ngoal_jitter 1\n"),
             "goal_jitter is for worlds without vias: each new goal begins the mission anew");
 }
 

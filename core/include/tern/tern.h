@@ -101,7 +101,8 @@ typedef struct {
   int64_t begin; int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS];
 } tern_trajectory;
 /* A piece of a moving thing's curve, and a thing that moves: tern/track.hpp. World frame; seconds, metres, and
- * nanoseconds of the clock of tern_request.begin. Zeros in every member are a point that stands still for ever. */
+ * nanoseconds of the clock of tern_request.begin. If every member is zero, the track is a point that never moves and
+ * never ends. */
 typedef struct { double duration; tern_vec3 points[8]; /* relative to the track's position */ } tern_track_piece;
 typedef struct {
   int64_t measured, until;

@@ -23,7 +23,7 @@ enum class TrackShape : uint8_t {
 
 /// What holds after Track::until. Any other number is refused.
 enum class TrackEnd : uint8_t {
-  kGoesOn = 0,  ///< the motion goes on for ever, and so does the error's growth; Track::until counts for nothing
+  kGoesOn = 0,  ///< motion and growth of the error never end; Track::until is not read
   kGone = 1,    ///< the thing is in nobody's way any more
   kStays = 2,   ///< it stays where its curve is at `until`, with the error of then
   kReach = 3,   ///< as kStays, and the error grows on by Track::reach metres a second
@@ -37,8 +37,8 @@ struct TrackPiece {
 };
 
 /// A thing that moves: its shape about a centre that moves along a curve, and how far the centre may be from that
-/// curve. Zeros in every member are a point that stands still for ever. World frame, metres, seconds, and nanoseconds
-/// of the clock of Request::begin and Trajectory::begin.
+/// curve. If every member is zero, the track is a point that never moves and never ends. World frame, metres, seconds,
+/// and nanoseconds of the clock of Request::begin and Trajectory::begin.
 ///
 /// s seconds after `measured`, the centre is within error + error_speed * s + error_growth * s^2 / 2 of its curve. The
 /// quadratic term is for what may accelerate: a thing that was measured with a velocity and has an acceleration of a at
@@ -104,7 +104,7 @@ struct TrackGrounds {
 /// s and m/s: how a trajectory leads away from a thing that it begins too near to.
 constexpr double kLeaveTime = 1.0;
 constexpr double kLeaveSpeed = 0.25;
-/// s: a rest that stays clear for longer than this stays clear for ever, as far as reports are concerned.
+/// s: reports do not say until when a rest stays clear if that is longer than this.
 constexpr double kRestHorizon = 3600.0;
 /// m: by this much less than `radius` and its error a trajectory may be away from a thing. A plan is granted half of
 /// it.

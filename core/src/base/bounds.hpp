@@ -127,7 +127,7 @@ inline double gauge(const Bounds& bounds, const Vec3& value) {
   }
   if (bounds.thrust > 0.0 || bounds.slope > 0.0) result = larger(result, thrust_gauge(bounds, value));
   if (!(bounds.horizontal > 0.0)) return result;
-  return larger(result, square_root(value.x * value.x + value.y * value.y) / bounds.horizontal);
+  return larger(result, horizontal_length(value) / bounds.horizontal);
 }
 
 /// A box within the bounds, for manoeuvres that treat each axis by itself: the bounds' own box, smaller if its corners

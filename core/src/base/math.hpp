@@ -22,6 +22,7 @@ inline Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a
 inline double square_root(double x) { return __builtin_sqrt(x); }
 inline double length(const Vec3& a) { return square_root(dot(a, a)); }
 inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
+inline double horizontal_length(const Vec3& a) { return square_root(a.x * a.x + a.y * a.y); }
 
 /// Uses the compiler's builtin: one instruction on all platforms. A comparison would need care for the sign of -0.
 inline double absolute(double x) { return __builtin_fabs(x); }

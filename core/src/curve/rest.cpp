@@ -18,7 +18,7 @@ double turn_of(const Vec3& move, double pull) {
   const double most = 1.0 / pull;
   const double lightest = clamp(-kGravity * move.z / dot(move, move), -most, most);
   const Vec3 thrust = lightest * move + Vec3{0.0, 0.0, kGravity};
-  return kGravity * square_root(move.x * move.x + move.y * move.y) / dot(thrust, thrust);
+  return kGravity * horizontal_length(move) / dot(thrust, thrust);
 }
 
 }  // namespace

@@ -50,10 +50,6 @@ constexpr double kLookAhead = 4.0;
 /// The acceleration that a gimbal is taken to turn with, rad/s^2.
 constexpr double kGimbalAcceleration = 20.0;
 
-double flat_length(const Vec3& way) {
-  return square_root(way.x * way.x + way.y * way.y);
-}
-
 double least_of(double a, double b) {
   return b > 0.0 && b < a ? b : a;
 }
@@ -131,7 +127,7 @@ void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& lo
   const Vec3 end = flight.plans.latest().end();
   Heading heading{1.0, 0.0};
   const Vec3 way = look_at - flight.position();
-  const double flat = flat_length(way);
+  const double flat = horizontal_length(way);
   if (flat > 0.0) heading = {way.x / flat, way.y / flat};
   if (nose.is_planned) {
     const YawSample now = nose.at(flight.time);
@@ -267,10 +263,10 @@ bool Lookouts::may_help(const FlightFacts& flight) const noexcept {
 Vec3 Lookouts::look_at(const Vec3& position) const noexcept {
   const Viewpoint& lookout = search.lookout;
   const Vec3 way = lookout.look - position;
-  const bool keeps_heading = phase == LookoutPhase::kLooking || flat_length(way) < kLeastFlat;
+  const bool keeps_heading = phase == LookoutPhase::kLooking || horizontal_length(way) < kLeastFlat;
   if (!keeps_heading) return lookout.look;
   const Vec3 from_there = lookout.look - lookout.place;
-  const double steepness = from_there.z / larger(flat_length(from_there), kArrivedAt);
+  const double steepness = from_there.z / larger(horizontal_length(from_there), kArrivedAt);
   return position + kLookAhead * Vec3{lookout.heading.cosine, lookout.heading.sine, steepness};
 }
 

@@ -223,7 +223,7 @@ bool Nose::waits_for_nose(const FlightFacts& flight) const noexcept {
   const Vec3 direction = unseen - flight.position();
   const YawSample now = at(flight.time);
   const double ahead = direction.x * now.yaw.cosine + direction.y * now.yaw.sine;
-  return ahead < least_cosine * square_root(direction.x * direction.x + direction.y * direction.y);
+  return ahead < least_cosine * horizontal_length(direction);
 }
 
 /// A planned turn begins late, and takes time to speed up and to slow down.

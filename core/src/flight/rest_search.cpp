@@ -83,7 +83,7 @@ void RestSearch::look_at_voxel(const FlightFacts& flight, const Voxel& voxel) no
   const Vec3 at = flight.position();
   const Grid& safe = flight.map.safe();
   const Vec3 way = safe.spec().origin + safe.center(voxel) - at;
-  const double flat = square_root(way.x * way.x + way.y * way.y);
+  const double flat = horizontal_length(way);
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 

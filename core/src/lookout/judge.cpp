@@ -48,7 +48,7 @@ Vec3 LookoutSearch::place_of(const RollingMap& map, std::int32_t place) const no
 
 bool LookoutSearch::aims(const Vec3& place, bool at_all, Heading& heading) const noexcept {
   const Vec3 way = wanted_.middle(at_all) - place;
-  const double flat = square_root(way.x * way.x + way.y * way.y);
+  const double flat = horizontal_length(way);
   if (!(flat > kLeastFlat)) return false;
   heading = {way.x / flat, way.y / flat};
   return true;
@@ -102,7 +102,7 @@ double LookoutSearch::cost(const RollingMap& map, const Vec3& place, double seco
   }
   if (was_tried_) {
     const Vec3 way = wanted_.middle(false) - place;
-    sum += kSteepPrice * absolute(way.z) / larger(kLeastFlat, square_root(way.x * way.x + way.y * way.y));
+    sum += kSteepPrice * absolute(way.z) / larger(kLeastFlat, horizontal_length(way));
   }
   if (!opens) sum += kPartPrice * kNextLookout * (kPartBase - static_cast<double>(sight.dense) / tested);
   return sum;

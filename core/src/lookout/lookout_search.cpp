@@ -190,7 +190,7 @@ void LookoutSearch::lead_on(const RollingMap& map) noexcept {
   lookout.place = safe.spec().origin + safe.center(octets_.free_voxel(safe, octets_.octet(way_[last])));
   lookout.look = question.goal;
   const Vec3 way = lookout.look - lookout.place;
-  const double flat = square_root(way.x * way.x + way.y * way.y);
+  const double flat = horizontal_length(way);
   lookout.heading = flat > octets_.edge ? Heading{way.x / flat, way.y / flat} : question.nose;
   lookout.hidden_count = 0;
   lookout.seconds = question.agility.seconds(last * octets_.edge);

@@ -44,7 +44,7 @@ double beyond_ball(const Allowed& allowed, const Vec3& value) {
 }
 double beyond_cone(const Allowed& allowed, const Vec3& value) {
   const double vertical = value.z + kGravity + allowed.spare;
-  return square_root(value.x * value.x + value.y * value.y) - allowed.slope * vertical;
+  return horizontal_length(value) - allowed.slope * vertical;
 }
 
 bool is_allowed(const Allowed& allowed, const Vec3& value) {
@@ -90,7 +90,7 @@ Excess excess_of(const Allowed& allowed, const Vec3& value) noexcept {
     const double beyond = larger(axis(value, a) - axis(allowed.most, a), axis(allowed.least, a) - axis(value, a));
     if (beyond > most.amount) most = {a, beyond};
   }
-  const double norm = square_root(value.x * value.x + value.y * value.y) - allowed.horizontal;
+  const double norm = horizontal_length(value) - allowed.horizontal;
   if (allowed.horizontal > 0.0 && norm > most.amount) most = {kHorizontalNorm, norm};
   if (allowed.thrust > 0.0 && beyond_ball(allowed, value) > most.amount) {
     most = {kThrustNorm, beyond_ball(allowed, value)};

@@ -17,7 +17,7 @@ inline Vec3 nearest_of(const Track& track, const Vec3& point) {
   if (track.shape == TrackShape::kBall) return kZero;
   const double z = clamp(point.z, -half.z, half.z);
   if (track.shape == TrackShape::kBox) return {clamp(point.x, -half.x, half.x), clamp(point.y, -half.y, half.y), z};
-  const double across = square_root(point.x * point.x + point.y * point.y);
+  const double across = horizontal_length(point);
   const double share = across > track.radius ? track.radius / across : 1.0;
   return {share * point.x, share * point.y, z};
 }
@@ -28,7 +28,7 @@ inline double reach_along(const Track& track, const Vec3& normal) {
   const double up = absolute(normal.z) * half.z;
   if (track.shape == TrackShape::kBall) return 0.0;
   if (track.shape == TrackShape::kBox) return (absolute(normal.x) * half.x + absolute(normal.y) * half.y) + up;
-  return track.radius * square_root(normal.x * normal.x + normal.y * normal.y) + up;
+  return track.radius * horizontal_length(normal) + up;
 }
 
 /// What a distance from the shape has besides.

@@ -45,10 +45,6 @@ void add_polygon(LimitPlanes& limit, double radius, const Vec3& along, double ma
 
 }  // namespace
 
-double horizontal_length(const Vec3& value) noexcept {
-  return square_root(value.x * value.x + value.y * value.y);
-}
-
 Vec3 horizontal_direction(const Vec3& along) noexcept {
   const double norm = horizontal_length(along);
   return norm > 0.0 ? Vec3{along.x / norm, along.y / norm, 0.0} : Vec3{1.0, 0.0, 0.0};

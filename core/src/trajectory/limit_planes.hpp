@@ -28,7 +28,6 @@ struct LimitPlanes {
   Halfspace planes[kMaxLimitPlanes];
 };
 
-double horizontal_length(const Vec3& value) noexcept;
 /// The horizontal unit vector along the value; along x if there is none.
 Vec3 horizontal_direction(const Vec3& along) noexcept;
 /// The outward normal of a side, 0 .. kHorizontalSides - 1, of the polygon with a corner in the horizontal direction
