@@ -218,6 +218,12 @@ class TrackSubject : public Subject {
     grounds.tracks = &track;
     grounds.count = 1;
     grounds.radius = 0.2;
+    tern::Halfspace planes[tern::kBoxPlanes];
+    const tern::Vec3& at = world_.request.goal.position;
+    tern::box_planes({{at.x - 0.1, at.y - 0.1, at.z - 0.1}, {at.x + 0.1, at.y + 0.1, at.z + 0.1}}, planes);
+    const tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut, 0, std::int64_t{1} << 40};
+    grounds.fences = &fence;
+    grounds.fence_count = 1;
     tern::TrackProof proof;
     const Status begun = proof.begin(world_.trajectory, 0.0, grounds);
     if (begun != Status::kRunning) return {begun, "", ""};

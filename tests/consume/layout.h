@@ -33,7 +33,7 @@
   FIELD(tern_budget, search) FIELD(tern_budget, shortcut) FIELD(tern_budget, corridor)                               \
   FIELD(tern_budget, trajectory)                                                                                     \
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
-  FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
+  FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind) FIELD(tern_fence, from) FIELD(tern_fence, until) FIELD(tern_fence, clock_error)                                        \
   FIELD(tern_track_piece, duration) FIELD(tern_track_piece, points)                                                  \
   FIELD(tern_track, measured) FIELD(tern_track, until) FIELD(tern_track, position) FIELD(tern_track, velocity)       \
   FIELD(tern_track, pieces) FIELD(tern_track, piece_count) FIELD(tern_track, id) FIELD(tern_track, kind)             \
@@ -61,7 +61,7 @@
   FIELD(tern_proof_report, via) FIELD(tern_proof_report, fence) FIELD(tern_proof_report, derivative)                 \
   FIELD(tern_proof_report, axis) FIELD(tern_proof_report, voxel) FIELD(tern_proof_report, excess)                    \
   FIELD(tern_proof_report, track) FIELD(tern_report, track) FIELD(tern_report, conflict)                             \
-  FIELD(tern_report, rest_clear_until) FIELD(tern_report, waits)                                                     \
+  FIELD(tern_report, rest_clear_until) FIELD(tern_report, waits) FIELD(tern_report, goal_free)                                                    \
   FIELD(tern_proof_report, work)                                                                                     \
   FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \

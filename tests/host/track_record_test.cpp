@@ -96,7 +96,10 @@ TEST(TrackRecord, SaysWhatIsWrong) {
   expect_error("track a ball 1 at 1e13 2 3\n", "track");
   expect_error("track_piece a 1 2 3\n", "24 numbers");
   expect_error(piece("a", 1.0, 2.0), "no 'track'");
-  expect_error("keepin 0 0 0 9 9 9 during 1 2\n", "only a 'keepout'");
+  expect_error("keepin 0 0 0 9 9 9 during 1\n", "2 times, or 3 with an error");
+  expect_error("keepin 0 0 0 9 9 9 during 1 1\n", "or at once");
+  expect_error("keepin 0 0 0 9 9 9 during 1 5e9\n", "too far away");
+  expect_error("keepin 0 0 0 9 9 9 during 1 2 -1\n", "must not be less than 0");
   expect_error("keepout 0 0 0 9 9 9 during 2 1\n", "ends before");
   EXPECT_THROW(parse("track a ball 1 at 1 2 3\ntrack a ball 1 at 1 2 3\n"), tern_host::ScenarioError);
   EXPECT_THROW(parse("track a ball 1\n" + piece("a", 0.0, 1.0)), tern_host::ScenarioError);

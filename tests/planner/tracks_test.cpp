@@ -57,6 +57,8 @@ class Among : public testing::Test {
     grounds.radius = world_.spec.radius;
     grounds.rest = rest;
     grounds.leaves = true;
+    grounds.fences = world_.request.fences;
+    grounds.fence_count = world_.request.fence_count;
     tern::ProofReport found;
     tern::clear_until(world_.trajectory, world_.report.entered, grounds, &found);
     EXPECT_EQ(found.finding, tern::Finding::kNone);
@@ -114,6 +116,87 @@ TEST_F(Among, TheClockSaysWhereThingsAre) {
   ASSERT_EQ(plan({crossing}), Status::kOk);
   EXPECT_EQ(world_.report.waits, 0.0);
   EXPECT_NEAR(tern::duration(world_.trajectory), 2.0 * half, 1e-9);
+}
+
+/// A wall across the way for a while, and rooms for a while.
+struct ForAWhile {
+  ForAWhile(tern::FenceKind kind, const Vec3& lower, const Vec3& upper, std::int64_t from, std::int64_t until) {
+    tern::box_planes({lower, upper}, planes);
+    fence = {planes, tern::kBoxPlanes, kind, from, until};
+  }
+  tern::Halfspace planes[tern::kBoxPlanes];
+  tern::Fence fence;
+};
+
+TEST_F(Among, WaitsForAFenceToEnd) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const double alone = tern::duration(world_.trajectory);
+  ForAWhile wall(tern::FenceKind::kKeepOut, {3.8, -1.0, -1.0}, {4.2, 5.0, 3.0}, 0, 6 * kSecond);
+  world_.request.fences = &wall.fence;
+  world_.request.fence_count = 1;
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  expect_plan();
+  EXPECT_GT(tern::duration(world_.trajectory), alone);
+  // Its clock is five seconds off: it begins before it says, and ends later.
+  const double exact = tern::duration(world_.trajectory);
+  wall.fence.clock_error = 5.0;
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  expect_plan();
+  EXPECT_GT(tern::duration(world_.trajectory), exact + 2.0);
+  // It never ends, but begins when the plan is past it.
+  wall.fence = {wall.planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut, static_cast<std::int64_t>(alone * 1e9),
+                1000 * kSecond};
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  EXPECT_DOUBLE_EQ(tern::duration(world_.trajectory), alone);
+  wall.fence.from = kSecond;
+  EXPECT_EQ(world_.plan(), Status::kNoClearTime);
+  expect_refused(Status::kNoClearTime, tern::kNoTrack);
+  EXPECT_EQ(world_.report.fence, 0);
+  EXPECT_GT(world_.report.conflict, 1.0);
+}
+
+/// Two rooms, of which the second opens when the first one is nearly over.
+TEST_F(Among, GoesFromRoomToRoom) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const double alone = tern::duration(world_.trajectory);
+  ForAWhile first(tern::FenceKind::kKeepIn, {0.0, 0.0, 0.0}, {4.5, 4.0, 2.0}, -kSecond, 12 * kSecond);
+  ForAWhile second(tern::FenceKind::kKeepIn, {3.5, 0.0, 0.0}, {8.0, 4.0, 2.0}, 8 * kSecond, 60 * kSecond);
+  const tern::Fence fences[] = {first.fence, second.fence};
+  world_.request.fences = fences;
+  world_.request.fence_count = 2;
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  expect_plan();
+  EXPECT_GT(tern::duration(world_.trajectory), alone);
+  EXPECT_NEAR(world_.report.rest_clear_until, 60.0, 1e-3);
+  world_.request.rest_clear = 50.0;
+  EXPECT_EQ(world_.plan(), Status::kGoalCovered);
+  EXPECT_EQ(world_.report.goal_free, kForever);
+}
+
+/// A keep-out that lies at the goal from 5 s to 90 s, and until 90 s it cannot be waited for.
+TEST_F(Among, SaysWhenACoveredGoalIsFree) {
+  Track parked = ball({7.45, 2.05, 1.05}, {0.0, 0.0, 0.0});
+  parked.until = 90 * kSecond;
+  parked.end = TrackEnd::kGone;
+  ASSERT_EQ(plan({parked}), Status::kGoalCovered);
+  EXPECT_NEAR(world_.report.goal_free, 90.0, 2e-3);
+  EXPECT_GE(world_.report.goal_free, 90.0 - 1e-9);
+  // Another one comes twenty seconds later, too soon for a rest of thirty.
+  Track next = parked;
+  next.measured = 110 * kSecond;
+  next.until = 130 * kSecond;
+  ASSERT_EQ(plan({parked, next}), Status::kGoalCovered);
+  EXPECT_NEAR(world_.report.goal_free, 90.0, 2e-3);
+  world_.request.rest_clear = 30.0;
+  ASSERT_EQ(plan({parked, next}), Status::kGoalCovered);
+  EXPECT_NEAR(world_.report.goal_free, 130.0, 2e-3);
+  parked.end = TrackEnd::kGoesOn;
+  ASSERT_EQ(plan({parked}), Status::kGoalCovered);
+  EXPECT_EQ(world_.report.goal_free, kForever);
+  const tern::StageReport& stage = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)];
+  EXPECT_LE(stage.work, stage.bound);
+  EXPECT_EQ(plan({ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 5.0)}), Status::kStartInContact);
+  EXPECT_EQ(world_.report.goal_free, kForever);
 }
 
 TEST_F(Among, ArrivesWhenTheGoalIsFree) {

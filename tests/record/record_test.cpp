@@ -95,7 +95,7 @@ void ask_for_everything(tern_test::World& world, std::vector<Halfspace>& planes,
   std::copy(std::begin(box), std::end(box), planes.begin());
   box_planes({{3.0, 0.0, 0.0}, {3.3, 0.4, 2.0}}, box);
   std::copy(std::begin(box), std::end(box), planes.begin() + kBoxPlanes);
-  fences[0] = {planes.data(), kBoxPlanes, FenceKind::kKeepIn};
+  fences[0] = {planes.data(), kBoxPlanes, FenceKind::kKeepIn, -1234567900123456789, 1234567890123456789, 0.25};
   fences[1] = {planes.data() + kBoxPlanes, kBoxPlanes, FenceKind::kKeepOut};
   vias[0].position = {0.65, 3.05, 1.05};
   vias[0].tolerance = 0.1;
@@ -124,6 +124,9 @@ TEST(Record, HoldsAllOfAQuery) {
   const Bytes bytes = record(world);
   Replayed again(bytes);
   EXPECT_EQ(again.record.configuration, kConfigurationHash);
+  EXPECT_EQ(again.record.request.fences[0].from, fences[0].from);
+  EXPECT_EQ(again.record.request.fences[0].until, fences[0].until);
+  EXPECT_EQ(again.record.request.fences[0].clock_error, fences[0].clock_error);
   EXPECT_EQ(again.record.status, Status::kOk);
   expect_same(again.record.plan, world.trajectory);
   EXPECT_EQ(again.status, Status::kOk);
@@ -265,7 +268,7 @@ TEST(Record, TrustsNoCount) {
   // The plan's segments stand behind the previous plan, which is not there, and the status.
   EXPECT_EQ(read(altered(bytes, kFenceCountWord + 4, kMaxSegments + 1)), Status::kSegmentsFull);
   // One fence with too many planes.
-  EXPECT_EQ(read(altered(altered(bytes, kFenceCountWord, 1), kFenceCountWord + 2, kMaxFencePlanes + 1)),
+  EXPECT_EQ(read(altered(altered(bytes, kFenceCountWord, 1), kFenceCountWord + 5, kMaxFencePlanes + 1)),
             Status::kFencePlanesFull);
   // Any single word may be anything: an answer, and nothing read or written out of bounds.
   tern_test::Random random(9);

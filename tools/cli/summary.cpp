@@ -75,10 +75,11 @@ std::string clearance_line(double clearance, const tern_host::Scenario& scenario
 /// What the plan keeps clear of that moves.
 std::string tracks_line(const PlanResult& result) {
   const std::size_t count = result.scenario.tracks.size();
-  if (count == 0) return "";
+  if (!result.scenario.depends_on_time()) return "";
   const tern::Report& report = result.report;
   std::string text =
-      std::to_string(count) + (count == 1 ? " thing that moves" : " things that move") + " kept clear of";
+      count == 0 ? "fences for a while kept"
+                 : std::to_string(count) + (count == 1 ? " thing that moves" : " things that move") + " kept clear of";
   if (report.waits > 0.0) text += ", waits " + fixed(report.waits, 2) + " s";
   const double until = report.rest_clear_until;
   text += std::isfinite(until) ? ", rest clear until " + fixed(until, 3) + " s" : ", rest stays clear";

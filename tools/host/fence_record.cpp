@@ -19,6 +19,8 @@ using tern::Vec3;
 
 /// Rounds of Dykstra's method; its steps shrink fast where few planes meet.
 constexpr int kRounds = 200;
+/// Seconds; further away, nanoseconds do not fit.
+constexpr double kMostSeconds = 4e9;
 
 double product(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -93,10 +95,30 @@ bool is_fence(const std::string& key) {
   return key == "keepin" || key == "keepout" || key == "keepin_halfspaces" || key == "keepout_halfspaces";
 }
 
-void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences) {
+FenceTimes take_window(const Place& place, Words& words) {
+  const auto during = std::find(words.begin(), words.end(), "during");
+  if (during == words.end()) return {};
+  const Words given(during, words.end());
+  words.erase(during, words.end());
+  const std::vector<double> times = numbers(given, place);
+  if (times.size() != 2 && times.size() != 3) throw_count("during", "2 times, or 3 with an error", times.size(), place);
+  for (const double time : times) {
+    if (!(std::fabs(time) <= kMostSeconds)) throw RecordError(place, "the times of 'during' are too far away");
+  }
+  FenceTimes window{std::llround(times[0] * 1e9), std::llround(times[1] * 1e9)};
+  if (!(window.from < window.until)) throw RecordError(place, "'during' ends before it begins, or at once");
+  if (times.size() == 3) window.clock_error = times[2];
+  if (!(window.clock_error >= 0.0)) throw RecordError(place, "a clock's error must not be less than 0");
+  return window;
+}
+
+void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceTimes& times) {
   const bool keeps_out = words.front().rfind("keepout", 0) == 0;
   FenceRecord fence{{}, planes_of(words, place), words.front(), place};
   fence.fence.kind = keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn;
+  fence.fence.from = times.from;
+  fence.fence.until = times.until;
+  fence.fence.clock_error = times.clock_error;
   std::size_t planes = fence.planes.size();
   for (const FenceRecord& other : fences) planes += other.planes.size();
   if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
@@ -143,7 +165,7 @@ void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box
   if (fault.status != tern::Status::kFenceEmpty) return refuse_keepouts_elsewhere(fences, map);
   const FenceRecord& empty = fences[static_cast<std::size_t>(fault.fence)];
   const bool keeps_in = empty.fence.kind == tern::FenceKind::kKeepIn;
-  const std::string others = keeps_in ? " with those of the keep-ins before it" : "";
+  const std::string others = keeps_in && !tern::is_timed(empty.fence) ? " with those of the keep-ins before it" : "";
   throw RecordError(empty.place, "'" + empty.key + "' is empty: its half-spaces have no common point" + others +
                                      "; is one of them, or the order of the polygon, reversed?");
 }

@@ -5,6 +5,7 @@
 #ifndef TERN_HOST_FENCE_RECORD_HPP
 #define TERN_HOST_FENCE_RECORD_HPP
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
@@ -30,8 +31,18 @@ tern::Box block_box(const Words& words, const Place& place);
 
 bool is_fence(const std::string& key);
 
+/// When a fence holds, ns, and its clock's error, s; all zero: always.
+struct FenceTimes {
+  std::int64_t from = 0;
+  std::int64_t until = 0;
+  double clock_error = 0.0;
+};
+
+/// Takes `during t0 t1` or `during t0 t1 error` off the end of a record. Throws RecordError.
+FenceTimes take_window(const Place& place, Words& words);
+
 /// Appends the fence of a record for which is_fence() holds. Throws RecordError, also where the core takes no more.
-void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences);
+void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceTimes& times = {});
 
 /// Throws RecordError where the core would refuse them as empty on a map with this boundary and clearance: a keep-out
 /// without any point, or keep-ins without one in common. Also for keep-out half-spaces without a point in the map: a

@@ -167,7 +167,7 @@ bool meets_track(const PlanResult& result) {
   const tern::Status status = result.report.status;
   const bool meets = status == tern::Status::kStartInContact || status == tern::Status::kGoalCovered ||
                      status == tern::Status::kNoClearTime;
-  return meets && result.report.track >= 0;
+  return meets && (result.report.track >= 0 || result.report.fence >= 0);
 }
 
 const std::string& track_name(const PlanResult& result) {
@@ -177,7 +177,7 @@ const std::string& track_name(const PlanResult& result) {
 /// What the plan does about things that move.
 void add_tracks(const PlanResult& result, Json& plan) {
   const Scenario& scenario = result.scenario;
-  if (scenario.tracks.empty()) return;
+  if (!scenario.depends_on_time()) return;
   const tern::Report& report = result.report;
   plan["start_time"] = scenario.start_time;
   if (result.ok()) {
@@ -187,12 +187,26 @@ void add_tracks(const PlanResult& result, Json& plan) {
     if (report.track >= 0) plan["leaves"] = track_name(result);
   }
   if (meets_track(result)) {
-    plan["first_conflict"] = {{"track", track_name(result)}, {"time", scenario.start_time + report.conflict}};
+    Json& conflict = plan["first_conflict"];
+    if (report.track >= 0) conflict["track"] = track_name(result);
+    if (report.track < 0) conflict["fence"] = report.fence;
+    conflict["time"] = scenario.start_time + report.conflict;
+    if (report.status == tern::Status::kGoalCovered) {
+      conflict["goal_free"] =
+          std::isfinite(report.goal_free) ? Json(scenario.start_time + report.goal_free) : Json(nullptr);
+    }
   }
 }
 
 std::string finding_text(const tern::ProofReport& check) {
   return check.finding == tern::Finding::kNone ? "" : "; the check found: " + describe_finding(check);
+}
+
+/// From when on a goal that is covered would be free.
+std::string free_text(const tern::Report& report) {
+  if (report.status != tern::Status::kGoalCovered) return "";
+  if (std::isfinite(report.goal_free)) return "; the goal is free after " + brief(report.goal_free) + " s";
+  return "; the goal was not found free within an hour";
 }
 
 std::string describe_failure(const PlanResult& result) {
@@ -202,7 +216,8 @@ std::string describe_failure(const PlanResult& result) {
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
   if (meets_track(result)) {
-    text += "; track: " + track_name(result) + ", " + brief(report.conflict) + " s after the beginning";
+    if (report.track >= 0) text += "; track: " + track_name(result);
+    text += ", " + brief(report.conflict) + " s after the beginning" + free_text(report);
   }
   text += describe_occupied(result) + result.closed_way;
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario.hpp"
 
+#include <algorithm>
+
 #include "base/bounds.hpp"
 #include "host/flight/family_scenario.hpp"
 #include "host/flight/world_family.hpp"
@@ -40,6 +42,11 @@ LimitRange jerk_range(const tern::Limits& limits) {
 
 bool limits_jerk(const tern::Limits& limits) {
   return tern::limits_anything(tern::make_optional_bounds(limits.j_max, limits.j_horizontal));
+}
+
+bool Scenario::depends_on_time() const {
+  const auto is_timed = [](const FenceRecord& record) { return tern::is_timed(record.fence); };
+  return !tracks.empty() || std::any_of(fences.begin(), fences.end(), is_timed);
 }
 
 Scenario parse_scenario(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,

@@ -85,6 +85,8 @@ struct Scenario {
 
   /// The distance kept from obstacles, as tern::GridSpec::clearance().
   double clearance() const { return radius + tracking_margin; }
+  /// True if there are things that move, or fences for a while.
+  bool depends_on_time() const;
 };
 
 constexpr std::size_t kMaxMapFiles = 64;

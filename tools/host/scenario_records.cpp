@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario_records.hpp"
 
+#include <algorithm>
+
 #include "host/number.hpp"
 #include "host/via_record.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -74,8 +76,8 @@ ScenarioBuilder::Choice* ScenarioBuilder::find_choice(const std::string& key) {
 void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& place) {
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
-  if (is_fence(key) || key == "keepout") {
-    if (has_window(words)) return add_timed_fence(words, place);
+  if (is_fence(key) && words.size() > 1 && std::find(words.begin(), words.end(), "during") != words.end()) {
+    return add_timed_fence(words, place);
   }
   if (key == "track") return scenario_.tracks.push_back(read_track(words, place));
   if (key == "track_piece") return add_track_piece(words, place, scenario_.tracks);
@@ -157,10 +159,12 @@ void ScenarioBuilder::add_via(const std::vector<std::string>& words, const Place
   scenario_.vias.push_back(via);
 }
 
-/// Only a box can be kept out of for a while: it is a thing that stands there.
+/// A box to keep out of for a while is a thing that stands there.
 void ScenarioBuilder::add_timed_fence(const std::vector<std::string>& words, const Place& place) {
-  if (words.front() != "keepout") throw ScenarioError(place, "only a 'keepout' may have a 'during'");
-  scenario_.tracks.push_back(read_timed_keepout(words, scenario_.tracks.size() + 1, place));
+  std::vector<std::string> fence = words;
+  const FenceTimes times = take_window(place, fence);
+  if (words.front() != "keepout") return add_fence(fence, place, scenario_.fences, times);
+  scenario_.tracks.push_back(read_timed_keepout(fence, times, scenario_.tracks.size() + 1, place));
 }
 
 /// A cloud does not say what is free.

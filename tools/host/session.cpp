@@ -103,7 +103,7 @@ PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previ
   const std::vector<tern::Fence> fences = fences_of(scenario.fences);
   const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);
   tern::Request request = request_of(scenario, fences, tracks);
-  if (previous != nullptr && !tracks.empty()) request.begin = previous->begin + nanoseconds(previous_time);
+  if (previous != nullptr && scenario.depends_on_time()) request.begin = previous->begin + nanoseconds(previous_time);
   request.previous = previous;
   request.previous_time = previous_time;
   planner_.plan(grid_, request, result.trajectory, result.report);

@@ -187,20 +187,9 @@ void add_track_piece(const Words& words, const Place& place, std::vector<TrackRe
   record->pieces.push_back(piece);
 }
 
-bool has_window(const Words& words) {
-  return words.size() > 3 && words[words.size() - 3] == "during";
-}
-
-TrackRecord read_timed_keepout(const Words& words, std::size_t number_of_it, const Place& place) {
-  const std::size_t end = words.size() - 3;
-  const tern::Box box =
-      box_of(numbers(Words(words.begin(), words.begin() + std::ptrdiff_t(end)), place), "keepout", place);
-  const double from = number(words[end + 1], place);
-  const double until = number(words[end + 2], place);
-  if (!(from <= until)) throw RecordError(place, "'during' ends before it begins");
-  if (!(std::fabs(from) <= kMostSeconds && std::fabs(until) <= kMostSeconds)) {
-    throw RecordError(place, "the times of 'during' are too far away");
-  }
+TrackRecord read_timed_keepout(const Words& words, const FenceTimes& times, std::size_t number_of_it,
+                               const Place& place) {
+  const tern::Box box = box_of(numbers(words, place), "keepout", place);
   TrackRecord record;
   record.id = "keepout " + std::to_string(number_of_it);
   record.is_fence = record.has_place = record.has_from = true;
@@ -215,8 +204,9 @@ TrackRecord read_timed_keepout(const Words& words, std::size_t number_of_it, con
   };
   track.half = {half(box.lower.x, track.position.x, box.upper.x), half(box.lower.y, track.position.y, box.upper.y),
                 half(box.lower.z, track.position.z, box.upper.z)};
-  track.measured = nanoseconds(from);
-  track.until = nanoseconds(until);
+  const auto off = static_cast<std::int64_t>(std::ceil(times.clock_error * 1e9));
+  track.measured = times.from - off;
+  track.until = times.until + off;
   track.end = TrackEnd::kGone;
   return record;
 }

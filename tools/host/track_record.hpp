@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/fence_record.hpp"
 #include "host/text_records.hpp"
 #include "tern/grid.hpp"
 #include "tern/track.hpp"
@@ -23,7 +24,7 @@ struct TrackRecord {
   std::string plan;                      ///< the file with another vehicle's plan; empty: none
   bool has_place = false;
   bool has_from = false;  ///< else it is measured when the scenario begins
-  bool is_fence = false;  ///< a keep-out for a while
+  bool is_fence = false;  ///< a keep-out box for a while
   Place place;
 };
 
@@ -33,11 +34,8 @@ TrackRecord read_track(const Words& words, const Place& place);
 /// track_piece ID DURATION x0 y0 z0 ... x7 y7 z7, added to the track of that name. Throws RecordError.
 void add_track_piece(const Words& words, const Place& place, std::vector<TrackRecord>& tracks);
 
-/// True if the record ends with `during t0 t1`.
-bool has_window(const Words& words);
-
-/// keepout x0 y0 z0 x1 y1 z1 during t0 t1: `number` makes its name. Throws RecordError.
-TrackRecord read_timed_keepout(const Words& words, std::size_t number, const Place& place);
+/// keepout x0 y0 z0 x1 y1 z1, for a while: `number` makes its name. Throws RecordError.
+TrackRecord read_timed_keepout(const Words& words, const FenceTimes& times, std::size_t number, const Place& place);
 
 /// Checks what only the whole scenario shows: pieces and places, capacities. Tracks without a `from` are measured at
 /// `start`. Throws RecordError.

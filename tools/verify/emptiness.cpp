@@ -104,8 +104,9 @@ std::optional<std::size_t> empty_fence(const std::vector<Fence>& fences, const B
   std::vector<HalfSpace> inside;
   for (std::size_t f = 0; f < fences.size(); ++f) {
     const std::vector<HalfSpace>& planes = fences[f].planes;
-    if (fences[f].keep_in) inside.insert(inside.end(), planes.begin(), planes.end());
-    if (is_empty(fences[f].keep_in ? inside : planes, boundary)) return f;
+    const bool joins = fences[f].keep_in && !fences[f].window;
+    if (joins) inside.insert(inside.end(), planes.begin(), planes.end());
+    if (is_empty(joins ? inside : planes, boundary)) return f;
   }
   return {};
 }

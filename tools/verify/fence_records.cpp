@@ -32,13 +32,27 @@ bool equal_planes(const HalfSpace& a, const HalfSpace& b) {
 
 }  // namespace
 
+std::optional<Window> take_window(Record& record) {
+  const auto during = std::find(record.words.begin(), record.words.end(), "during");
+  if (during == record.words.end()) return std::nullopt;
+  const std::vector<Rational> times = Record{record.file, record.line, {during, record.words.end()}}.numbers();
+  record.words.erase(during, record.words.end());
+  if (times.size() != 2 && times.size() != 3) record.refuse("'during' needs 2 or 3 numbers");
+  const Window window{whole_nanoseconds(times[0]), whole_nanoseconds(times[1]),
+                      times.size() == 3 ? times[2] : Rational(0)};
+  if (!(window.from < window.until) || window.clock_error < 0) record.refuse("'during' is no interval of time");
+  return window;
+}
+
 bool is_fence(const std::string& key) {
   return kKeys.count(key) != 0;
 }
 
-Fence fence_from(const Record& record) {
+Fence fence_from(const Record& given) {
+  Record record = given;
   const std::string& key = record.key();
   Fence result{key.rfind("keepout", 0) != 0, {}};
+  result.window = take_window(record);
   if (key == "keepin" || key == "keepout") {
     result.planes = faces_of(box_from(record, record.numbers(1, 6)));
     return result;
@@ -60,7 +74,7 @@ Fence fence_of(const Json& json) {
 }
 
 bool same(const Fence& a, const Fence& b) {
-  return a.keep_in == b.keep_in && a.distance == b.distance &&
+  return a.keep_in == b.keep_in && a.distance == b.distance && !a.window && !b.window &&
          std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), equal_planes);
 }
 

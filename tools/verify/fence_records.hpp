@@ -5,6 +5,7 @@
 #ifndef TERN_VERIFY_FENCE_RECORDS_HPP
 #define TERN_VERIFY_FENCE_RECORDS_HPP
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace tern_verify {
 
 /// `keepin`, `keepout` and both with half-spaces.
 bool is_fence(const std::string& key);
+/// Takes `during t0 t1` or `during t0 t1 error` off the end of a record.
+std::optional<Window> take_window(Record& record);
 /// A record for which is_fence() holds.
 Fence fence_from(const Record& record);
 /// One of a flight's log.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "verify/polyhedron.hpp"
@@ -133,9 +134,13 @@ class Room {
   std::vector<Unit> guesses_;
 };
 
+/// The rooms that a curve may be in: it needs one of them.
+using Rooms = std::vector<const Room*>;
+
 class RoomSearch {
  public:
-  RoomSearch(const std::vector<Polygon<3>>& curves, const Room& room) : curves_(curves), room_(room) {
+  /// `rooms`: of each curve.
+  RoomSearch(const std::vector<Polygon<3>>& curves, const std::vector<Rooms>& rooms) : curves_(curves), rooms_(rooms) {
     for (curve_ = 0; curve_ < curves.size(); ++curve_) {
       reach(curves[curve_].front(), 0);
       reach(curves[curve_].back(), 1);
@@ -150,8 +155,14 @@ class RoomSearch {
   }
 
  private:
+  Rational room_of(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
+    std::optional<Rational> best;
+    for (const Room* room : rooms_[curve_]) raise(best, room->of(hull, enough));
+    return *best;
+  }
+
   void reach(const Point& point, const Rational& u) {
-    const Rational room = room_.of({point}, std::nullopt);
+    const Rational room = room_of({point}, std::nullopt);
     if (begun_ && room >= found_.most) return;
     begun_ = true;
     found_ = {0, room, curve_, u};
@@ -159,7 +170,7 @@ class RoomSearch {
 
   void search(const Polygon<3>& piece, const Rational& u, const Rational& width, int halvings) {
     const Rational enough = found_.most - close_;
-    const Rational room = room_.of(piece, enough);
+    const Rational room = room_of(piece, enough);
     if (room >= enough) return;
     if (halvings == kMostCuts) {
       proven_ = std::min(proven_, room);
@@ -172,7 +183,7 @@ class RoomSearch {
   }
 
   const std::vector<Polygon<3>>& curves_;
-  const Room& room_;
+  const std::vector<Rooms>& rooms_;
   const Rational close_ = decimal(1, 10);
   FenceRoom found_{};
   Rational proven_ = 0;
@@ -189,7 +200,19 @@ Claim room_claim(const Subject& subject, const std::string& what, const Fence& f
 
 FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary) {
   const Room room(fence, boundary);
-  return RoomSearch(curves, room).run();
+  return RoomSearch(curves, std::vector<Rooms>(curves.size(), {&room})).run();
+}
+
+FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const std::vector<std::vector<const Fence*>>& fences,
+                     const Box& boundary) {
+  std::map<const Fence*, Room> known;
+  std::vector<Rooms> rooms;
+  for (const std::vector<const Fence*>& of_curve : fences) {
+    rooms.emplace_back();
+    for (const Fence* fence : of_curve)
+      rooms.back().push_back(&known.try_emplace(fence, *fence, boundary).first->second);
+  }
+  return RoomSearch(curves, rooms).run();
 }
 
 void prove_boundary(const Subject& subject, Claims& claims) {
@@ -203,6 +226,7 @@ void prove_fences(const Subject& subject, Claims& claims) {
   const Tolerance& tolerance = subject.tolerance;
   for (std::size_t f = 0; f < subject.problem.fences.size(); ++f) {
     const Fence& fence = subject.problem.fences[f];
+    if (fence.window) continue;
     const Rational granted = fence.keep_in ? tolerance.fence : Rational(tolerance.fence + tolerance.point);
     claims.push_back(room_claim(subject, "fence " + std::to_string(f + 1), fence, granted));
   }

@@ -4,11 +4,17 @@
 
 namespace tern_verify {
 
-void prove_tracks(const Subject& subject, Claims& claims) {
+TimedWay way_of(const Subject& subject) {
   const Problem& problem = subject.problem;
   TimedWay way{{}, problem.start_time, problem.rest_clear, problem.clearance};
   const std::vector<Polygon<3>> curves = subject.curves();
   for (std::size_t s = 0; s < curves.size(); ++s) way.curves.push_back({curves[s], subject.plan.segments[s].duration});
+  return way;
+}
+
+void prove_tracks(const Subject& subject, Claims& claims) {
+  const Problem& problem = subject.problem;
+  const TimedWay way = way_of(subject);
   for (const Thing& thing : problem.things) {
     Claim claim;
     claim.what = "track " + thing.name;

@@ -32,10 +32,17 @@ struct HalfSpace {
   Rational offset;
 };
 
+/// When a fence for a while holds, and by how much its clock may be off; seconds.
+struct Window {
+  Rational from, until;
+  Rational clock_error;
+};
+
 struct Fence {
   bool keep_in;
   std::vector<HalfSpace> planes;
-  Rational distance = 0;  ///< that the centre keeps from a keep-out, metres
+  Rational distance = 0;                        ///< that the centre keeps from a keep-out, metres
+  std::optional<Window> window = std::nullopt;  ///< none: it always holds
 };
 
 /// Position and its derivatives up to the jerk.

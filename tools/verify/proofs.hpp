@@ -49,6 +49,12 @@ void prove_turns(const std::vector<Segment>& segments, const std::vector<Bound>&
 /// The curve, for all t, keeps the clearance from each solid voxel.
 void prove_clearance(const Subject& subject, Claims& claims);
 
+/// Likewise for fences for a while, at the times at which they hold.
+void prove_windows(const Subject& subject, Claims& claims);
+
+/// The plan in time.
+TimedWay way_of(const Subject& subject);
+
 /// The curve, for all t, keeps the clearance from the tubes of things that move.
 void prove_tracks(const Subject& subject, Claims& claims);
 

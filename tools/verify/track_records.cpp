@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/track_records.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "verify/fence_records.hpp"
 #include "verify/plan.hpp"
 
 namespace tern_verify {
@@ -118,23 +120,22 @@ void add_piece(const Record& record, std::vector<Thing>& things) {
 
 Thing keep_out_from(const Record& record) {
   Record box = record;
-  box.words.resize(record.words.size() - 3);
+  const Window window = *take_window(box);
   const Box lies = box_from(record, box.numbers(1, 6));
-  Reader reader{record, record.words.size() - 2};
   Thing thing;
   thing.name = "keepout in line " + std::to_string(record.line);
   thing.shape = ThingShape::kBox;
   thing.position = Rational(1) / 2 * (lies.lower + lies.upper);
   thing.half = Rational(1) / 2 * (lies.upper - lies.lower);
-  thing.from = whole_nanoseconds(reader.number());
+  thing.from = window.from - window.clock_error;
   thing.has_from = true;
-  thing.until = whole_nanoseconds(reader.number());
+  thing.until = window.until + window.clock_error;
   thing.end = ThingEnd::kGone;
   return thing;
 }
 
 bool has_window(const Record& record) {
-  return record.words.size() > 3 && record.words[record.words.size() - 3] == "during";
+  return std::find(record.words.begin(), record.words.end(), "during") != record.words.end();
 }
 
 }  // namespace

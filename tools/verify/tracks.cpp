@@ -30,16 +30,6 @@ Rational squared(const Rational& a) {
   return a * a;
 }
 
-/// Where a chain of curves is, as control points: at rest past its end.
-Polygon<3> chain_part(const std::vector<TimedCurve>& chain, Rational begin, const Rational& from, const Rational& to) {
-  for (const TimedCurve& curve : chain) {
-    const Rational end = begin + curve.duration;
-    if (from < end) return part_of(curve.points, (from - begin) / curve.duration, (to - begin) / curve.duration);
-    begin = end;
-  }
-  return Polygon<3>(kDegrees + 1, chain.back().points.back());
-}
-
 Point curve_at(const Thing& thing, const Rational& time) {
   if (thing.pieces.empty()) return thing.position + (time - thing.from) * thing.velocity;
   Rational begin = thing.from;
@@ -246,6 +236,15 @@ std::vector<Rational> times_of(const TimedWay& way, const Thing& thing, const Ra
 }
 
 }  // namespace
+
+Polygon<3> chain_part(const std::vector<TimedCurve>& chain, Rational begin, const Rational& from, const Rational& to) {
+  for (const TimedCurve& curve : chain) {
+    const Rational end = begin + curve.duration;
+    if (from < end) return part_of(curve.points, (from - begin) / curve.duration, (to - begin) / curve.duration);
+    begin = end;
+  }
+  return Polygon<3>(kDegrees + 1, chain.back().points.back());
+}
 
 RoomInTime room_beside(const TimedWay& way, const Thing& thing, const Rational& enough) {
   RoomInTime room{0, 0, 0};

@@ -57,6 +57,9 @@ struct RoomInTime {
   bool noted = false;   ///< the thing is there at some time
 };
 
+/// Where a chain of curves is, as control points, from one time to another within one of them: at rest past its end.
+Polygon<3> chain_part(const std::vector<TimedCurve>& chain, Rational begin, const Rational& from, const Rational& to);
+
 /// The least room that the way leaves the thing. Looks no closer where the room is `enough`.
 RoomInTime room_beside(const TimedWay& way, const Thing& thing, const Rational& enough);
 

@@ -35,7 +35,20 @@ struct Fence {
   /// At least 1, and at most kMaxFencePlanes for all fences of a request together.
   int32_t count;
   FenceKind kind;
+  /// Of a fence for a while: when it begins and ends, nanoseconds of the clock of Request::begin. If both are equal,
+  /// the fence always holds; `until` may not be before `from` (kInvalidArgument).
+  int64_t from = 0;
+  int64_t until = 0;
+  /// s, >= 0 and finite: by how much the clock of the fence may differ from that of the plan, to both sides. A keep-out
+  /// begins that much earlier and ends that much later, a keep-in begins later and ends earlier.
+  double clock_error = 0.0;
 };
+
+/// True for a fence for a while. Plans are proven to respect it, but the search for a way does not see it. If a request
+/// has keep-ins for a while, the centre is in one of those that hold, at all times. Flights refuse such fences.
+constexpr bool is_timed(const Fence& fence) noexcept {
+  return fence.from != fence.until;
+}
 /// Shortest and longest normal that a fence may have.
 constexpr double kMinFenceNormal = 1e-6;
 constexpr double kMaxFenceNormal = 1e6;

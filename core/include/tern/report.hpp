@@ -81,6 +81,7 @@ struct Report {
   /// voxel; of centres that are equally near, the one with the least z, then y, then x. If the start is at rest in that
   /// voxel, it is the start. Valid if has_reachable is true; zero otherwise.
   Vec3 reachable;
+  /// If `status` is kGoalCovered or kNoClearTime because of a fence for a while: its index in Request::fences.
   /// If `status` or `goal_missed` is kStartFenced, kGoalFenced or kViaFenced: the index in Request::fences of a fence
   /// that is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. If `field` is
   /// kFences: the index of the fence that is wrong. If `status` or `goal_missed` is kStartTooNarrow, kGoalTooNarrow or
@@ -91,12 +92,17 @@ struct Report {
   /// fault lies with the start, with the way from the last via to the goal, or with no single part of the way.
   int32_t via = kNoVia;
   /// If `status` is kStartInContact, kGoalCovered or kNoClearTime: the index in Request::tracks of the first one that
-  /// the first plan was not proven clear of. If `field` is kTracks: the index of the track that is wrong. For kOk: the
-  /// first track that the plan begins too near to, and leaves. Else kNoTrack.
+  /// the first plan was not proven clear of; kNoTrack if it is a fence for a while, which `fence` says. If `field` is
+  /// kTracks: the index of the track that is wrong. For kOk: the first track that the plan begins too near to, and
+  /// leaves. Else kNoTrack.
   int32_t track = kNoTrack;
   /// Only for kStartInContact, kGoalCovered and kNoClearTime: until then the first plan was proven clear of all tracks,
   /// seconds since its beginning.
   double conflict = 0.0;
+  /// Only for kGoalCovered: a time from which on the goal is proven clear of all tracks for Request::rest_clear
+  /// seconds, seconds since the plan's beginning. Shortly before, it is not. Shorter gaps may have been missed.
+  /// Infinite if none was found within kRestHorizon.
+  double goal_free = __builtin_inf();
   /// Until when the plan's end is proven clear of all tracks, seconds since the trajectory's beginning. Infinite if
   /// that is for longer than kRestHorizon after its end, if there are no tracks, and without a plan.
   double rest_clear_until = __builtin_inf();

@@ -84,7 +84,13 @@ typedef struct { uint32_t search, shortcut, corridor, trajectory; } tern_budget;
 /* All points p with normal . p <= offset: tern/halfspace.hpp. */
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
 /* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces that the caller owns; world frame. */
-typedef struct { const tern_halfspace* planes; int32_t count; uint8_t kind; /* 0 keep-in, 1 keep-out */ } tern_fence;
+typedef struct {
+  const tern_halfspace* planes;
+  int32_t count;
+  uint8_t kind;        /* 0 keep-in, 1 keep-out */
+  int64_t from, until; /* ns, of a fence for a while; equal: it always holds */
+  double clock_error;  /* s */
+} tern_fence;
 /* A point to pass on the way: tern/via.hpp. World frame; m and m/s. `velocity` counts only with has_velocity. */
 typedef struct {
   tern_vec3 position;
@@ -191,6 +197,7 @@ typedef struct {
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
   int32_t track; /* index of the track that is wrong, or that the first plan, or the start, is not clear of; -1: none */
   double conflict;         /* s: when the first plan meets that track */
+  double goal_free;        /* s: from when on the plan could rest at a goal that is covered; infinity */
   double rest_clear_until; /* s: until when the plan's end is clear of all tracks; infinity */
   double waits;            /* s at rest before it sets out, for things that move */
   tern_via_passage vias[TERN_MAX_VIAS];

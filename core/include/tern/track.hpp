@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "tern/fence.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
@@ -100,6 +101,10 @@ struct TrackGrounds {
   /// The trajectory may begin nearer to a thing than it should, if it leads away: from its beginning it may come no
   /// nearer to the thing's curve than it is then, and after kLeaveTime, its distance grows by kLeaveSpeed at least.
   bool leaves = false;
+  /// Fences, of which only those for a while count: an array of `fence_count`, which must stay until the proof is done;
+  /// null with fence_count 0.
+  const Fence* fences = nullptr;
+  int32_t fence_count = 0;
 };
 /// s and m/s: how a trajectory leads away from a thing that it begins too near to.
 constexpr double kLeaveTime = 1.0;

@@ -42,14 +42,15 @@ bool meets(const Fence& fence, CommonPoint& common) {
 std::int32_t empty_keep_in(const Fence* list, std::int32_t count, const Around& map) {
   CommonPoint common = anywhere(map);
   for (std::int32_t i = 0; i < count; ++i) {
-    if (list[i].kind == FenceKind::kKeepIn && !meets(list[i], common)) return i;
+    if (list[i].kind == FenceKind::kKeepIn && !is_timed(list[i]) && !meets(list[i], common)) return i;
   }
   return kNoFence;
 }
 
-std::int32_t empty_keep_out(const Fence* list, std::int32_t count, const Around& map) {
+/// Of fences that need no point in common with others.
+std::int32_t empty_by_itself(const Fence* list, std::int32_t count, const Around& map) {
   for (std::int32_t i = 0; i < count; ++i) {
-    if (list[i].kind == FenceKind::kKeepIn) continue;
+    if (list[i].kind == FenceKind::kKeepIn && !is_timed(list[i])) continue;
     CommonPoint common = anywhere(map);
     if (!meets(list[i], common)) return i;
   }
@@ -58,7 +59,8 @@ std::int32_t empty_keep_out(const Fence* list, std::int32_t count, const Around&
 
 bool well_formed(const Fence& fence) {
   const bool known = fence.kind == FenceKind::kKeepIn || fence.kind == FenceKind::kKeepOut;
-  return known && fence.planes != nullptr && fence.count >= 1;
+  const bool is_in_order = fence.from <= fence.until && fence.clock_error >= 0.0 && finite(fence.clock_error);
+  return known && is_in_order && fence.planes != nullptr && fence.count >= 1;
 }
 
 Status check_plane(const Halfspace& plane) {
@@ -81,7 +83,7 @@ Status check_fence(const Fence& fence, std::int32_t left) {
 
 }  // namespace
 
-FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpec& grid) noexcept {
+FenceFault find_form_fault(const Fence* list, std::int32_t count) noexcept {
   if (count < 0 || (count > 0 && list == nullptr)) return {Status::kInvalidArgument, kNoFence};
   if (is_full(count > kMaxFences)) return {Status::kFencesFull, kNoFence};
   std::int32_t left = kMaxFencePlanes;
@@ -90,9 +92,15 @@ FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpe
     if (status != Status::kOk) return {status, i};
     left -= list[i].count;
   }
+  return {Status::kOk, kNoFence};
+}
+
+FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpec& grid) noexcept {
+  const FenceFault fault = find_form_fault(list, count);
+  if (fault.status != Status::kOk) return fault;
   const Around map = around(grid);
   std::int32_t empty = empty_keep_in(list, count, map);
-  if (empty == kNoFence) empty = empty_keep_out(list, count, map);
+  if (empty == kNoFence) empty = empty_by_itself(list, count, map);
   return {empty == kNoFence ? Status::kOk : Status::kFenceEmpty, empty};
 }
 

@@ -9,6 +9,7 @@
 
 #include "planner/detour.hpp"
 #include "planner/follow.hpp"
+#include "planner/goal_free.hpp"
 #include "planner/legs.hpp"
 #include "planner/moving.hpp"
 #include "planner/nearest_point.hpp"

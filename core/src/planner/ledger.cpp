@@ -105,6 +105,8 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   const StageBound bound = stage_bound(stage, problem.grid->spec());
   entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
   if (stage == Stage::kCheck) entry.bound += tracks_bound(problem.track_count).units(times_of(problem).checks);
+  if (problem.has_windows && stage == Stage::kCheck) entry.bound += windows_bound().units(times_of(problem).checks);
+  if (problem.has_windows && stage == Stage::kTracks) entry.bound += windows_bound().units(kTimedProofs);
   const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;
   const std::uint64_t within = budget + static_cast<std::uint64_t>(bound.piece) / kUnit + 1;
   if (budget != kNoBudget && within < entry.bound) entry.bound = within;

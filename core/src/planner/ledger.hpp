@@ -8,6 +8,8 @@
 #include <cstdint>
 
 #include "base/work.hpp"
+#include "planner/goal_free.hpp"
+#include "planner/moving.hpp"
 #include "planner/problem.hpp"
 #include "tern/diagnostics.hpp"
 #include "tern/planner.hpp"
@@ -30,6 +32,11 @@ struct StageBound {
 StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept;
 /// Of the proof of one plan against so many tracks.
 StageBound tracks_bound(std::int32_t count) noexcept;
+/// Of such a proof against fences for a while, on top.
+StageBound windows_bound() noexcept;
+
+/// The most proofs of the stage that looks for a time.
+constexpr int kTimedProofs = kWaitingTries + 2 + kGoalLooks + kGoalHalvings;
 
 /// The caller's clock; none if `now` is null.
 struct Clock {

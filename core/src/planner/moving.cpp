@@ -96,7 +96,13 @@ void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Oper
 }
 
 Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept {
-  return {found.track == left ? Status::kStartInContact : Status::kNoClearTime, found.track, found.until};
+  const bool is_at_start = found.finding == Finding::kTrack && found.track == left;
+  return {is_at_start ? Status::kStartInContact : Status::kNoClearTime, found.track, found.fence, found.until};
+}
+
+bool meets_in_time(const Problem& problem, const ProofReport& found) noexcept {
+  if (found.finding != Finding::kFence || !problem.has_windows) return found.finding == Finding::kTrack;
+  return is_timed(problem.asked_world->fence[found.fence]);
 }
 
 void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict& conflict, Trajectory& trajectory,
@@ -135,7 +141,8 @@ Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Wa
       const ProofReport& found = waiting.proof.report();
       const bool is_clear = found.finding == Finding::kNone;
       if (!waiting.looks_at_goal && is_clear) return Progress::kDone;
-      if (waiting.looks_at_goal && !is_clear) conflict = {Status::kGoalCovered, found.track, conflict.until};
+      if (waiting.looks_at_goal && !is_clear)
+        conflict = {Status::kGoalCovered, found.track, found.fence, conflict.until};
       waiting.looks_at_goal = false;
     }
     const int next = waiting.joint < 0 ? -1 : next_try(waiting);

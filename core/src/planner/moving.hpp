@@ -34,6 +34,7 @@ void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Oper
 struct Conflict {
   Status status = Status::kOk;  ///< kStartInContact, kGoalCovered or kNoClearTime
   std::int32_t track = kNoTrack;
+  std::int32_t fence = kNoFence;
   double until = 0.0;  ///< s since the plan's beginning
 };
 
@@ -61,6 +62,9 @@ struct Waiting {
 /// What a plan met that the check refused because of a track: `found`. `left`: the first track that it begins too near
 /// to.
 Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept;
+
+/// True if the check refused a plan because of a track or of a fence for a while.
+bool meets_in_time(const Problem& problem, const ProofReport& found) noexcept;
 
 /// Begins to look for a time for the trajectory. `conflict`: what it met.
 void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict& conflict, Trajectory& trajectory,

@@ -36,6 +36,7 @@ void Pipeline::begin_goal() noexcept {
   attempts_.stop_first = {};
   attempts_.waiting.is_tried = false;
   conflict_ = {};
+  goal_free_ = GoalFree{};
   attempts_.follow.is_trial = attempts_.follow.leads_plan = false;
   take_ends(problem_, memory.ends);
   for (EndStop& stop : memory.stops) reset(stop);
@@ -140,7 +141,7 @@ void Pipeline::go_on_from_check(bool done) noexcept {
   if (!done) {
     refused_ = memory.stage.check.found;
     left_ = memory.stage.check.proof.left();
-    if (refused_.finding == Finding::kTrack) return meet_track();
+    if (meets_in_time(problem_, refused_)) return meet_track();
     const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
     return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
   }
@@ -154,9 +155,12 @@ void Pipeline::go_on_from_check(bool done) noexcept {
   enter(Stage::kPrevious);
 }
 
-/// The check has refused the plan because of a track: time may help.
+/// The check has refused the plan because of a track or of a fence for a while: time may help.
 void Pipeline::meet_track() noexcept {
-  if (conflict_.status == Status::kOk) conflict_ = conflict_of(refused_, left_);
+  if (conflict_.status == Status::kOk) {
+    conflict_ = conflict_of(refused_, left_);
+    arrival_ = duration(memory_->trajectory);
+  }
   attempts_.waiting.is_tried || follows() ? go_on_from_tracks(false) : enter(Stage::kTracks);
 }
 

@@ -57,7 +57,12 @@ CheckQuery check_query(const Problem& problem, const Layout& memory, double ente
 
 /// What plans must be clear of.
 TrackGrounds tracks_of(const Problem& problem) {
-  return {problem.tracks, problem.track_count, problem.grid->spec().clearance(), problem.asked.rest_clear, true};
+  TrackGrounds grounds{problem.tracks, problem.track_count, problem.grid->spec().clearance(), problem.asked.rest_clear,
+                       true};
+  if (!problem.has_windows) return grounds;
+  grounds.fences = problem.asked_world->fence;
+  grounds.fence_count = problem.asked_world->count;
+  return grounds;
 }
 
 /// The check of the whole plan, with hints for it.
@@ -222,11 +227,25 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kReach:
       return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
     case Stage::kTracks:
-      return waiting_advance(tracks_of(problem_), m.trajectory, attempts_.waiting, conflict_, work);
+      return look_for_time(work);
     case Stage::kRequest:
       break;
   }
   return Progress::kDone;
+}
+
+/// If the goal is covered, it also looks from when on it is free.
+Progress Pipeline::look_for_time(Work& work) noexcept {
+  Trajectory& trajectory = memory_->trajectory;
+  const TrackGrounds grounds = tracks_of(problem_);
+  if (!goal_free_.is_proving) {
+    const Progress found = waiting_advance(grounds, trajectory, attempts_.waiting, conflict_, work);
+    const bool is_known = conflict_.status != Status::kGoalCovered || goal_free_.is_sought;
+    if (found != Progress::kFailed || is_known) return found;
+    goal_free_begin(arrival_, goal_free_);
+  }
+  return goal_free_advance(grounds, trajectory, goal_free_, work) == Progress::kMore ? Progress::kMore
+                                                                                     : Progress::kFailed;
 }
 
 /// The current stage has spent its budget. The optimiser then keeps the best plan that it has; other stages fail.

@@ -63,6 +63,7 @@ class Pipeline {
   Status read(const Request& request, const PlanMode& mode) noexcept;
   void enter(Stage stage) noexcept;
   Progress run(Work& work) noexcept;
+  Progress look_for_time(Work& work) noexcept;
   Progress end_for_budget(Work& work) noexcept;
   Status end(Stage stage, Status status) noexcept;
 
@@ -103,7 +104,9 @@ class Pipeline {
   Legs legs_{};
   Rooms rooms_{};
   Curves curves_{};
-  Conflict conflict_{};           // what the first plan met
+  Conflict conflict_{};   // what the first plan met
+  double arrival_ = 0.0;  // of that plan, s since its beginning
+  GoalFree goal_free_{};
   std::int32_t left_ = kNoTrack;  // the first track that the plan begins too near to
   double rest_until_ = __builtin_inf();
   ProofReport refused_{};             // why the check refused the last plan that it refused

@@ -51,6 +51,10 @@ RequestFault read_world(const Request& request, const Ends& ends, Problem& probl
   const FenceFault added = world_add(world, request.fences, request.fence_count);
   if (added.status != Status::kOk) return {added.status, Field::kFences, added.fence};
   if (!copy_asked(request.fences, request.fence_count, asked)) return {Status::kFencePlanesFull, Field::kFences};
+  problem.asked_world = &asked;
+  for (std::int32_t k = 0; k < asked.count; ++k) problem.has_windows = problem.has_windows || is_timed(asked.fence[k]);
+  const Verdict clock = problem.has_windows ? validate_clock(request) : Verdict{Status::kOk, Field::kNone};
+  if (clock.status != Status::kOk) return {clock.status, clock.field};
   RequestFault fault = find_broken_point(problem, ends);
   if (fault.status != Status::kOk) return fault;
   fault.fence = world_of(problem).first_broken(ends.goal_in_grid, ends.goal_in_grid);

@@ -31,6 +31,8 @@ struct Problem {
   std::int32_t via_count;
   const Track* tracks;  ///< the certifier's, and no one else's
   std::int32_t track_count;
+  const AskedWorld* asked_world;  ///< the fences, likewise; null: none
+  bool has_windows;               ///< some of them are for a while
   MotionLimits limits;
   Request asked;       ///< the request; its pointers are not followed again
   Status goal_fault;   ///< kGoalFenced: only the reachable point is left to look for; else kOk

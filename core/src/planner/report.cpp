@@ -53,7 +53,9 @@ void Pipeline::write(Report& report) const noexcept {
   if (planned) report.waits = attempts_.waiting.waits;
   if (status_ != Status::kOk && status_ == conflict_.status) {
     report.track = conflict_.track;
+    report.fence = conflict_.fence;
     report.conflict = conflict_.until;
+    if (status_ == Status::kGoalCovered) report.goal_free = goal_free_.free;
   }
   if (planned) write_passages(problem_, memory_->vias, memory_->trajectory, report.vias);
   report.optimiser = optimiser_;

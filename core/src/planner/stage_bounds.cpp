@@ -153,7 +153,7 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
       return reach_bound(spec);
     case Stage::kTracks: {
       const StageBound proof = tracks_bound(kMaxTracks);
-      return {(kWaitingTries + 2) * (proof.pieces + 1), proof.piece + ops::kCurve * kMaxSegments};
+      return {kTimedProofs * (proof.pieces + 1), proof.piece + ops::kCurve * kMaxSegments};
     }
     case Stage::kRequest:
       break;
@@ -163,6 +163,10 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
 
 StageBound tracks_bound(std::int32_t count) noexcept {
   return {count > 0 ? track_bound(count) : 0, kTrackOperations};
+}
+
+StageBound windows_bound() noexcept {
+  return {kWindowBound, 2 * kAskedOperations + kTrackOperations};
 }
 
 }  // namespace tern

@@ -215,7 +215,11 @@ Verdict validate_tracks(const Request& request) noexcept {
   if (!finite(request.rest_clear)) return {Status::kNonFiniteInput, Field::kRestClear};
   const bool fits = request.rest_clear >= 0.0 && request.rest_clear <= kRestHorizon;
   if (!fits) return {Status::kInvalidArgument, Field::kRestClear};
-  if (request.track_count == 0 || request.previous == nullptr) return kAccepted;
+  return request.track_count == 0 ? kAccepted : validate_clock(request);
+}
+
+Verdict validate_clock(const Request& request) noexcept {
+  if (request.previous == nullptr) return kAccepted;
   const double apart = request.previous_time - time_on(*request.previous, request.begin);
   return absolute(apart) <= kClockSlack ? kAccepted : Verdict{Status::kInvalidArgument, Field::kPrevious};
 }

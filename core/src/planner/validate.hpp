@@ -31,6 +31,8 @@ inline bool dwell_valid(const Via& via) noexcept {
 
 /// Validates what a request says about tracks, besides the tracks.
 Verdict validate_tracks(const Request& request) noexcept;
+/// A previous plan must be on the request's clock if anything depends on the time.
+Verdict validate_clock(const Request& request) noexcept;
 
 /// Validates the vias of a request that is valid otherwise. `via` receives the index of the one that is wrong, or
 /// kNoVia.

@@ -12,9 +12,9 @@
 namespace tern {
 namespace {
 
-/// Operations at a joint: both curves and their derivatives at one end.
 /// Half of what other curves are granted.
 constexpr double kPlanTrackGrant = 0.5 * kTrackTolerance;
+/// Operations at a joint: both curves and their derivatives at one end.
 constexpr Operations kEndOperations = ops::kPiece + 2 * ops::kCurve;
 
 bool refuse(Finding finding, std::int32_t segment, ProofReport& found) {
@@ -60,7 +60,11 @@ void begin_curve(CheckStage& stage, const Grid& grid, const Trajectory& trajecto
 
 /// What the plan must be clear of for so many seconds at its end.
 TrackGrounds grounds_of(const Grid& grid, const CheckQuery& query, double rest) {
-  return {query.tracks, query.track_count, grid.spec().clearance(), rest, true};
+  TrackGrounds grounds{query.tracks, query.track_count, grid.spec().clearance(), rest, true};
+  if (query.world == nullptr) return grounds;
+  grounds.fences = query.world->fence;
+  grounds.fence_count = query.world->count;
+  return grounds;
 }
 
 /// Begins the proof of how long the plan may rest at its end.
@@ -128,14 +132,14 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
     }
   }
   if (!vias_met(grid, trajectory, query, stage.found)) return conclude(Status::kCheckFailed, stage.status);
-  if (query.track_count == 0) return Progress::kDone;
+  if (!watches(grounds_of(grid, query, query.rest))) return Progress::kDone;
   begin_rest(stage, grid, trajectory, query);
   return prove_rest(stage, work);
 }
 
 double rest_clear_until(const CheckStage& stage) noexcept {
   const ProofReport& found = stage.at_end.report();
-  return found.finding == Finding::kTrack ? found.until : __builtin_inf();
+  return found.finding != Finding::kNone ? found.until : __builtin_inf();
 }
 
 }  // namespace tern

@@ -30,6 +30,8 @@ constexpr std::uint32_t kCheckBound = kMaxSegments * (5u * (kProofPieces + 1) + 
 constexpr std::uint64_t track_bound(std::int32_t count) noexcept {
   return 2 * (static_cast<std::uint64_t>(count) * (kMaxSegments + 8) + kMaxTrackPieces) * (kTrackPieces + 2);
 }
+/// The same of fences for a while: each may begin and end within a plan.
+constexpr std::uint64_t kWindowBound = 2 * std::uint64_t{kMaxSegments + 2 * kMaxFences + 8} * (kTrackPieces + 2);
 /// The most operations of one of its pieces: three tubes, or the next stretch with its own.
 constexpr Operations kTrackOperations = 8 * ops::kCurve + 2 * ops::kPiece;
 /// The most operations of one of them.

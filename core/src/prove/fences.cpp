@@ -179,7 +179,7 @@ void find_solid(const Grid& grid, const Fence* fences, int count, int keep_out, 
   begin_solid(around, solid);
   for (int k = 0; k < count; ++k) {
     const Fence& fence = fences[k];
-    const bool keeps_in = fence.kind == FenceKind::kKeepIn;
+    const bool keeps_in = fence.kind == FenceKind::kKeepIn && !is_timed(fence);
     if (!keeps_in && k != keep_out) continue;
     for (int p = 0; p < fence.count; ++p) {
       add_plane(fence.planes[p], grid.spec().origin, around.center, keeps_in ? grown : 0.0, solid);

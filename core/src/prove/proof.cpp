@@ -18,7 +18,7 @@ constexpr Voxel kNoVoxel{-1, -1, -1};
 
 /// The curve is proven until report_.until. Against the tracks, no more needs to be.
 void Proof::begin_tracks() noexcept {
-  is_watching_ = watched_.count > 0 && report_.finding != Finding::kMalformed;
+  is_watching_ = watches(watched_) && report_.finding != Finding::kMalformed;
   if (!is_watching_) return;
   const bool is_whole = report_.finding == Finding::kNone;
   tracks_.begin_accepted(*trajectory_, from_, is_whole ? __builtin_inf() : report_.until, track_grant_, watched_);
@@ -29,7 +29,7 @@ void Proof::step_tracks() noexcept {
   if (tracks_.step(*work_) == Status::kRunning) return;
   is_watching_ = false;
   const ProofReport& found = tracks_.report();
-  if (found.finding != Finding::kTrack) return;
+  if (found.finding == Finding::kNone || found.finding == Finding::kMalformed) return;
   report_ = found;
 }
 

@@ -83,6 +83,7 @@ bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
 bool Proof::keeps_fences(const Piece& piece) noexcept {
   const FenceRule rule{grid_->spec().origin, distance_, outside_};
   for (int32_t k = 0; k < fence_count_; ++k) {
+    if (is_timed(fences_[k])) continue;  // proven with the tracks
     if (fence_clear(fences_[k], rule, piece.c, kControlPoints, *work_)) continue;
     if (is_cut_off(k, piece)) continue;
     report_.fence = k;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern/track_proof.hpp"
 
-#include "base/capacity.hpp"
+#include "base/fence_fault.hpp"
 #include "base/math.hpp"
 #include "base/track_fault.hpp"
 #include "base/work.hpp"
@@ -66,6 +66,9 @@ Status TrackProof::begin(const Trajectory& trajectory, double from, const TrackG
   const TrackFault fault = find_track_fault(grounds.tracks, grounds.count);
   report_.track = fault.track;
   if (fault.status != Status::kOk) return fault.status;
+  const FenceFault of_fence = find_form_fault(grounds.fences, grounds.fence_count);
+  report_.fence = of_fence.fence;
+  if (of_fence.status != Status::kOk) return of_fence.status;
   begin_accepted(trajectory, from, __builtin_inf(), kTrackTolerance, grounds);
   return Status::kRunning;
 }
@@ -80,7 +83,7 @@ void TrackProof::begin_accepted(const Trajectory& trajectory, double from, doubl
   is_open_ = false;
   report_ = ProofReport{};
   report_.until = from > 0.0 ? from : 0.0;
-  running_ = grounds.count > 0 && report_.until < until;
+  running_ = watches(grounds) && report_.until < until;
   if (!is_sound(trajectory)) {
     running_ = false;
     report_.finding = Finding::kMalformed;
@@ -91,8 +94,18 @@ void TrackProof::begin_accepted(const Trajectory& trajectory, double from, doubl
   from_ = {report_.until, 0.0};
   end_ = {end.high, end.low};
   bounds_ = box_of(trajectory);
-  if (running_) return enter_track(0);
+  track_ = -1;
+  if (running_) running_ = enter_next();
+  if (running_) return;
   report_.until = larger(report_.until, end.high);
+}
+
+/// Begins with what comes next: a track, or the fences behind the last one. False if nothing is left.
+bool TrackProof::enter_next() noexcept {
+  if (track_ + 1 > grounds_.count) return false;
+  if (track_ + 1 == grounds_.count) return enter_windows();
+  enter_track(track_ + 1);
+  return true;
 }
 
 /// Begins the proof against a track.
@@ -138,9 +151,8 @@ void TrackProof::next_stretch(Work& work) noexcept {
   const DoubleDouble end = seconds(end_);
   if (!(at < end)) {
     work.spend(ops::kCurve);
-    running_ = track_ + 1 < grounds_.count;
-    if (running_) return enter_track(track_ + 1);
-    report_.until = larger(report_.until, end.high);
+    running_ = enter_next();
+    if (!running_) report_.until = larger(report_.until, end.high);
     return;
   }
   DoubleDouble to = end;
@@ -152,11 +164,25 @@ void TrackProof::next_stretch(Work& work) noexcept {
     ++segment_;
     to = end;
   }
+  if (is_in_windows()) {
+    is_open_ = true;
+    return load_windows({to.high, to.low}, work);
+  }
   const DoubleDouble leave = seconds(from_) + DoubleDouble(kLeaveTime);
   if (grounds_.leaves && at < leave) to = earlier(to, leave);
   work.spend(4 * ops::kCurve);
   is_open_ = load({to.high, to.low});
   if (!is_open_) pass();
+}
+
+/// The curve from at_ to `to`, which is in one segment or in the rest.
+void TrackProof::load_curve(Time to, Vec3* points) const noexcept {
+  const bool rests = segment_ == trajectory_->count;
+  const Segment& segment = trajectory_->segments[rests ? segment_ - 1 : segment_];
+  for (int i = 0; i < kControlPoints; ++i) points[i] = segment.points[rests ? kDegree : i];
+  if (rests) return;
+  const DoubleDouble begin = seconds(segment_begin_);
+  take_part(points, share_of(seconds(at_), begin, segment.duration), share_of(seconds(to), begin, segment.duration));
 }
 
 /// Loads the tubes from at_ to `to`, or to the end of the track's span. True if the curve is near all of them.
@@ -173,12 +199,7 @@ bool TrackProof::load(Time to) noexcept {
   if (span.kind == SpanKind::kAbsent) return false;
 
   Vec3 points[kControlPoints];
-  const Segment& segment = trajectory_->segments[segment_ < trajectory_->count ? segment_ : segment_ - 1];
-  for (int i = 0; i < kControlPoints; ++i) points[i] = segment.points[segment_ < trajectory_->count ? i : kDegree];
-  if (segment_ < trajectory_->count) {
-    const DoubleDouble begin = seconds(segment_begin_);
-    take_part(points, share_of(at, begin, segment.duration), share_of(end, begin, segment.duration));
-  }
+  load_curve({end.high, end.low}, points);
   ThingMotion motion;
   move_thing(thing, trajectory_->origin, times, span, at, end, motion);
   const double distance = (grounds_.radius + ball_of(thing)) - grant_;
@@ -207,74 +228,15 @@ bool TrackProof::load(Time to) noexcept {
   return true;
 }
 
-/// Notes how far from the thing's shape the trajectory begins, if that is too near.
-void TrackProof::look_at_start() noexcept {
-  const Track& thing = grounds_.tracks[track_];
-  if (!touches(thing, tube_[kError].points[0])) return;
-  if (has_[kReach] && !touches(thing, tube_[kReach].points[0])) return;
-  const double gap = gap_of(thing, tube_[kError].points[0]);
-  if (gap > ball_of(thing)) gap_ = gap;
-  if (left_ == kNoTrack) left_ = track_;
-}
-
-/// The piece is proven, halved, or lost.
-void TrackProof::look_at_piece(Work& work) noexcept {
-  const Track& thing = grounds_.tracks[track_];
-  if (is_full(looked_at_++ == kTrackPieces)) return lose();
-  bool touches_all = true;
-  for (int t = 0; t < kTubes; ++t) {
-    if (!has_[t]) continue;
-    work.spend(2 * ops::kCurve);
-    double part[kControlPoints][4];
-    take_dyadic_part(tube_[t].points, number_, depth_, part);
-    if (plane_keeps_off(thing, part, slack_)) return go_on();
-    touches_all = touches_all && touches(thing, part[0]);
-  }
-  if (touches_all || is_full(depth_ == kTrackDepth)) return lose();
-  ++depth_;
-  number_ *= 2;
-}
-
-/// Goes on behind a piece that is proven.
-void TrackProof::go_on() noexcept {
-  ++number_;
-  while (depth_ > 0 && number_ % 2 == 0) {
-    number_ /= 2;
-    --depth_;
-  }
-  if (depth_ == 0) pass();
-}
-
-/// Goes on behind the stretch.
-void TrackProof::pass() noexcept {
-  is_open_ = false;
-  at_ = to_;
-}
-
-/// The proof ends where the piece begins. Other tracks only matter if they are met earlier.
-void TrackProof::lose() noexcept {
-  const Track& thing = grounds_.tracks[track_];
-  const DoubleDouble at = seconds(at_);
-  const double share = static_cast<double>(number_) / static_cast<double>(1 << depth_);
-  const DoubleDouble lost = at + DoubleDouble(share * (seconds(to_) - at).high);
-  double part[kControlPoints][4];
-  double missing = __builtin_inf();
-  for (int t = 0; t < kTubes; ++t) {
-    if (!has_[t]) continue;
-    take_dyadic_part(tube_[t].points, number_, depth_, part);
-    missing = smaller(missing, part[0][3] - gap_of(thing, part[0]));
-  }
-  is_open_ = false;
-  end_ = at_ = {lost.high, lost.low};
-  report_.finding = Finding::kTrack;
-  report_.track = track_;
-  report_.segment = segment_ < trajectory_->count ? segment_ : trajectory_->count - 1;
-  report_.excess = larger(missing, 0.0);
-}
-
 Status TrackProof::step(Work& work) noexcept {
   const Operations before = work.operations();
-  while (running_ && work.left()) is_open_ ? look_at_piece(work) : next_stretch(work);
+  while (running_ && work.left()) {
+    if (!is_open_) {
+      next_stretch(work);
+    } else {
+      is_in_windows() ? look_at_windows(work) : look_at_piece(work);
+    }
+  }
   spent_ += before - work.operations();
   report_.work = static_cast<uint32_t>((spent_ + kUnit - 1) / kUnit);
   return running_ ? Status::kRunning : Status::kOk;
@@ -286,7 +248,7 @@ double clear_until(const Trajectory& trajectory, double from, const TrackGrounds
   const bool begun = proof.begin(trajectory, from, grounds) == Status::kRunning;
   Work work;
   // A stretch for each segment, each piece and what lies between, of each track.
-  for (int i = 0; begun && i <= kMaxTracks * (kMaxSegments + 8) + kMaxTrackPieces; ++i) {
+  for (int i = 0; begun && i <= (kMaxTracks + 1) * (kMaxSegments + 8) + kMaxTrackPieces + 2 * kMaxFences; ++i) {
     work.add(~uint32_t{0});
     if (proof.step(work) == Status::kOk) break;
   }

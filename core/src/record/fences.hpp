@@ -19,8 +19,11 @@ namespace tern {
 template <typename Words, typename AnyFence>
 void list_fence(Words& words, AnyFence& fence) {
   words(fence.kind);
+  words(fence.from);
+  words(fence.until);
+  words(fence.clock_error);
 }
-constexpr std::size_t kFenceFields = 1;
+constexpr std::size_t kFenceFields = 4;
 
 /// The most fields of all fences.
 constexpr std::size_t kFencesFields = 1 + (kFenceFields + 1) * static_cast<std::size_t>(kMaxFences) +

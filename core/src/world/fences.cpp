@@ -56,12 +56,12 @@ __attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence
   solids.face_count = 0;
   solids.corner_count = 0;
   for (std::int32_t i = 0; i < count; ++i) {
-    if (list[i].kind == FenceKind::kKeepIn) load_keep_in(grid, list[i], i, solids);
+    if (list[i].kind == FenceKind::kKeepIn && !is_timed(list[i])) load_keep_in(grid, list[i], i, solids);
   }
   const Vicinity around = vicinity_of(grid, solids, reach_of(grid.spec()));
   solids.touching = contact_tolerance(grid.spec()) + corner_tolerance(around);
   for (std::int32_t i = 0; i < count; ++i) {
-    if (list[i].kind == FenceKind::kKeepIn) continue;
+    if (list[i].kind == FenceKind::kKeepIn || is_timed(list[i])) continue;
     const Status status = load_keep_out(grid, around, list[i], i, solids);
     if (status != Status::kOk) return {status, i};
   }

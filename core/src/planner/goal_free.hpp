@@ -1,0 +1,43 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From when on a plan could rest at a goal that a thing or a fence covers when it arrives: for the report.
+#ifndef TERN_PLANNER_GOAL_FREE_HPP
+#define TERN_PLANNER_GOAL_FREE_HPP
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "tern/track.hpp"
+#include "tern/track_proof.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// The most times at which the goal is looked at: the steps between them grow to kGoalStep of the time since the
+/// arrival, so that these reach kRestHorizon; and then halvings between the last two.
+constexpr int kGoalLooks = 256;
+constexpr int kGoalHalvings = 14;
+
+struct GoalFree {
+  bool is_sought = false;
+  bool is_proving = false;
+  int looks = 0;
+  int halvings = 0;
+  double arrival = 0.0;  ///< s since the plan's beginning
+  double at = 0.0;       ///< what is being proven
+  double covered = 0.0;  ///< the goal is covered soon after
+  double free = __builtin_inf();
+  TrackProof proof;
+};
+
+/// `arrival`: when the plan would rest at the goal.
+void goal_free_begin(double arrival, GoalFree& goal) noexcept;
+
+/// Looks for the time, at the end of a trajectory to the goal that begins when the plan does. A piece of work is one of
+/// the proof. kMore or kDone.
+Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal,
+                           Work& work) noexcept;
+
+}  // namespace tern
+
+#endif
