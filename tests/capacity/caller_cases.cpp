@@ -95,6 +95,19 @@ Status plan_among(int count, int pieces) {
   return status == Status::kOk || world.report.field == tern::Field::kTracks ? status : kNotThis;
 }
 
+/// Walls across the way, which each segment comes near.
+Status plan_across(int count) {
+  World world = tern_test::open_world();
+  tern::Track wall;
+  wall.position = 0.5 * (world.request.start.position + world.request.goal.position);
+  wall.shape = tern::TrackShape::kBox;
+  wall.half = {0.01, 50.0, 50.0};
+  const std::vector<tern::Track> tracks(static_cast<std::size_t>(count), wall);
+  world.request.tracks = tracks.data();
+  world.request.track_count = count;
+  return world.plan();
+}
+
 std::vector<Exceeded> request_capacities() {
   return {
       {"TERN_MAX_FENCES", Status::kFencesFull, [] { return plan_with_fences(tern::kMaxFences, 1) == Status::kOk; },
@@ -109,6 +122,8 @@ std::vector<Exceeded> request_capacities() {
       {"TERN_MAX_TRACK_PIECES", Status::kTrackPiecesFull,
        [] { return plan_among(1, tern::kMaxTrackPieces) == Status::kOk; },
        [] { return plan_among(1, tern::kMaxTrackPieces + 1); }},
+      {"TERN_MAX_SEPARATIONS", Status::kSeparationsFull, [] { return plan_across(1) == Status::kNoClearTime; },
+       [] { return plan_across(tern::kMaxTracks); }},
       {"TERN_MAX_VIAS", Status::kViasFull, [] { return plan_with_vias(tern::kMaxVias) == Status::kOk; },
        [] { return plan_with_vias(tern::kMaxVias + 1); }}};
 }

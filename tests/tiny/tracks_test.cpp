@@ -46,5 +46,18 @@ TEST_F(TinyTracks, MorePiecesThanFitAreRefused) {
   EXPECT_EQ(plan(2), Status::kOk);
 }
 
+/// Each segment comes near both tracks, and needs a plane for each.
+TEST_F(TinyTracks, MorePlanesThanFitAreAReason) {
+  for (Track& track : tracks_) {
+    track.position = {0.5 * (world_.request.start.position.x + world_.request.goal.position.x),
+                      world_.request.start.position.y, world_.request.start.position.z};
+    track.shape = tern::TrackShape::kBox;
+    track.half = {0.01, 50.0, 50.0};
+  }
+  EXPECT_EQ(plan(2), Status::kSeparationsFull);
+  EXPECT_TRUE(world_.trajectory_untouched());
+  EXPECT_EQ(plan(1), Status::kNoClearTime);
+}
+
 }  // namespace
 }  // namespace tern_test

@@ -6,9 +6,11 @@
 #undef TERN_MAX_SEGMENTS
 #undef TERN_MAX_ACTIVE
 #undef TERN_MAX_PLANES
+#undef TERN_MAX_SEPARATIONS
 #define TERN_MAX_SEGMENTS 16
 #define TERN_MAX_ACTIVE 96
 #define TERN_MAX_PLANES 24
+#define TERN_MAX_SEPARATIONS 1
 
 #include <gtest/gtest.h>
 
@@ -20,8 +22,8 @@ constexpr std::size_t kKilobyte = 1024;
 constexpr std::size_t kOwn =
     sizeof(tern::TrajectoryStage) - sizeof(tern::QpSolver) - sizeof(tern::QpProblem) - sizeof(tern::QpSolution);
 
-static_assert(kOwn <= 33 * kKilobyte,
-              "durations and their curvature, control points, the best plan, the fallback, vias");
+static_assert(kOwn <= 34 * kKilobyte,
+              "durations and their curvature, control points, the best plan, the fallback, vias, things");
 
 TEST(TrajectoryMemory, ASegmentAddsLittleToTheSolvers) {
   EXPECT_LE(sizeof(tern::QpProblem), 9 * kKilobyte * tern::kMaxSegments);

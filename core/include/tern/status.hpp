@@ -137,6 +137,9 @@ enum class Status : uint8_t {
   kTracksFull = 66,       ///< TERN_MAX_TRACKS: the request has more tracks
   kTrackPiecesFull = 67,  ///< TERN_MAX_TRACK_PIECES: the tracks have more pieces
 
+  /// TERN_MAX_SEPARATIONS: too many segments come near things that move, and waiting does not help.
+  kSeparationsFull = 68,
+
   // 70 .. 89: the solver or the machine did not hold up.
 
   /// The constraints contradict each other, and the solver has a proof. Only as Report::optimiser; the plan falls back

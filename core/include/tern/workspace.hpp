@@ -45,17 +45,17 @@ constexpr size_t kTracks = static_cast<size_t>(kMaxTracks) * 160 + static_cast<s
 /// The corridor: the solid boxes around one segment, and the scratch memory to merge and measure them.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
-constexpr size_t kTrajectory =
-    kSegments * (17000 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
+constexpr size_t kTrajectory = kSegments * (17000 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) +
+                               static_cast<size_t>(kMaxSeparations) * 1340 + static_cast<size_t>(kMaxTracks) * 8 + 8192;
 /// The check: for each segment, normals along which keep-outs are cut off.
 constexpr size_t kCheck = kSegments * kMaxFences * 272 + kFencePlanes * 256 + 8192;
 /// The results, which outlive the stages that made them: the path and its current leg, vias, corridor, trajectory, the
-/// stops of both ends and the previous plan.
-constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegments * (kPlanes * 36 + 1248) + 6400;
+/// one as if nothing moved, the stops of both ends and the previous plan.
+constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegments * (kPlanes * 36 + 1472) + 6500;
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 121 kB for the profile tiny, 342 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Bytes that a planner needs: 125 kB for the profile tiny, 363 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
 /// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
 /// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES

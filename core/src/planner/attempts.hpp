@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "planner/around.hpp"
 #include "planner/detour.hpp"
 #include "planner/follow.hpp"
 #include "planner/goal_free.hpp"
@@ -37,6 +38,7 @@ struct Attempts {
   StopFirst stop_first;
   NearestPoint nearest;
   Waiting waiting;
+  Around around;
 };
 
 /// Why there is no plan.

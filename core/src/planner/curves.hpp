@@ -43,6 +43,7 @@ struct CurveMemory {
   Corridor corridor;  ///< relative to the plan's origin
   TimesStage times;
   Chain chain;  ///< as the times stage made it
+  Scene scene;  ///< of a plan around things
   TrajectoryStage stage;
 };
 

@@ -36,6 +36,7 @@ struct Layout {
   ViaMemory vias;
   Corridor corridor;
   Trajectory trajectory;
+  Trajectory alone;  ///< the plan as if nothing moved, without stops and dwells
   Ends ends;
   EndStop stops[2];  ///< the start's and the goal's
   Previous previous;

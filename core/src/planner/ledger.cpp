@@ -13,6 +13,7 @@ struct Times {
   std::uint32_t goals;     ///< the requested one and, with GoalMode::kNearest, the reachable point instead
   std::uint32_t searches;  ///< of the whole way
   std::uint32_t corridors;
+  std::uint32_t seeds;   ///< plans for a corridor: the one as if nothing moved, and the one around things
   std::uint32_t checks;  ///< for each corridor the optimiser's plan, then the fallback; and the remainder
 };
 
@@ -22,7 +23,9 @@ Times times_of(const Problem& problem) {
   times.searches = times.goals * (problem.given_at_rest ? 1 : 1 + kStopFirstTries);
   times.corridors = times.goals * (problem.given_at_rest ? 1 : 2 + kStopFirstTries);
   times.checks = times.corridors + times.goals * (problem.asked.previous != nullptr ? 3 : 1);
-  if (problem.track_count > 0) times.checks *= 2;  // a plan that waits is checked again
+  times.seeds = problem.track_count > 0 ? 2 : 1;
+  if (problem.track_count > 0 || problem.has_windows)
+    times.checks *= 1 + times.seeds;  // a plan that waits is checked again
   return times;
 }
 
@@ -37,7 +40,7 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searche
       return times.corridors + searched_again;
     case Stage::kTimes:
     case Stage::kTrajectory:
-      return times.corridors + times.goals;
+      return std::uint64_t{times.seeds} * (times.corridors + times.goals);
     case Stage::kCheck:
     case Stage::kTracks:
       return times.checks;
@@ -104,6 +107,9 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   is_bound_ = true;
   const StageBound bound = stage_bound(stage, problem.grid->spec());
   entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
+  if (stage == Stage::kTrajectory) {
+    entry.bound += around_bound(problem.track_count).units(runs_of(stage, problem, searched_again ? 1 : 0));
+  }
   if (stage == Stage::kCheck) entry.bound += tracks_bound(problem.track_count).units(times_of(problem).checks);
   if (problem.has_windows && stage == Stage::kCheck) entry.bound += windows_bound().units(times_of(problem).checks);
   if (problem.has_windows && stage == Stage::kTracks) entry.bound += windows_bound().units(kTimedProofs);

@@ -35,6 +35,7 @@ void Pipeline::begin_goal() noexcept {
   attempts_.detour = {};
   attempts_.stop_first = {};
   attempts_.waiting.is_tried = false;
+  attempts_.around = {};
   conflict_ = {};
   goal_free_ = GoalFree{};
   attempts_.follow.is_trial = attempts_.follow.leads_plan = false;
@@ -122,10 +123,13 @@ void Pipeline::go_on_from_corridor(bool done) noexcept {
 /// A chain that has to pass a via in motion has no stop-and-go to fall back to.
 void Pipeline::go_on_from_trajectory(bool done) noexcept {
   Layout& memory = *memory_;
+  if (attempts_.around.is_active) return go_on_from_around(done);
   quality_ = curves_.quality;
   optimiser_ = curves_.optimiser;
   attempts_.waiting = {};
+  attempts_.around = {};
   if (!done) return fail(Stage::kTrajectory, curves_.status);
+  if (problem_.track_count > 0) memory.alone = memory.trajectory;
   if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
     enter(Stage::kCheck);
   } else if (curves_.stop_and_go || hurries(memory.stage.trajectory.stage.chain)) {
@@ -138,6 +142,7 @@ void Pipeline::go_on_from_trajectory(bool done) noexcept {
 void Pipeline::go_on_from_check(bool done) noexcept {
   Layout& memory = *memory_;
   if (attempts_.follow.is_trial) return end_trial(done);
+  if (!done && attempts_.around.is_active) return give_up_around();
   if (!done) {
     refused_ = memory.stage.check.found;
     left_ = memory.stage.check.proof.left();
@@ -161,12 +166,44 @@ void Pipeline::meet_track() noexcept {
     conflict_ = conflict_of(refused_, left_);
     arrival_ = duration(memory_->trajectory);
   }
-  attempts_.waiting.is_tried || follows() ? go_on_from_tracks(false) : enter(Stage::kTracks);
+  if (attempts_.waiting.is_tried || follows()) return go_on_from_tracks(false);
+  const bool leads = problem_.track_count > 0 && may_lead_around(quality_, results_.corridor);
+  leads ? begin_around() : enter(Stage::kTracks);
+}
+
+/// Plans around things, in the corridor of the plan that met them.
+void Pipeline::begin_around() noexcept {
+  Around& around = attempts_.around;
+  around = {true, quality_, optimiser_};
+  enter(Stage::kTimes);
+}
+
+void Pipeline::go_on_from_around(bool done) noexcept {
+  Layout& memory = *memory_;
+  if (!done || !complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
+    return give_up_around();
+  }
+  quality_ = curves_.quality;
+  optimiser_ = curves_.optimiser;
+  enter(Stage::kCheck);
+}
+
+/// There is no plan around things: the one that was made as if nothing moved may wait.
+void Pipeline::give_up_around() noexcept {
+  Layout& memory = *memory_;
+  Around& around = attempts_.around;
+  around.is_active = false;
+  around.is_full = around.is_full || curves_.status == Status::kSeparationsFull;
+  quality_ = around.quality;
+  optimiser_ = around.optimiser;
+  memory.trajectory = memory.alone;
+  complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory);
+  enter(Stage::kTracks);
 }
 
 void Pipeline::go_on_from_tracks(bool done) noexcept {
   if (done) return enter(Stage::kCheck);
-  fail(Stage::kTracks, conflict_.status);
+  fail(Stage::kTracks, attempts_.around.is_full ? Status::kSeparationsFull : conflict_.status);
 }
 
 /// A remainder that ends elsewhere than at the goal takes the place of the start's stop. If it has no room, the reason
@@ -215,6 +252,7 @@ void Pipeline::check_as_is(Quality quality, Attempt attempt) noexcept {
   quality_ = quality;
   attempts_.current = attempt;
   attempts_.waiting = {};
+  attempts_.around = {};
   results_ = {};
   enter(Stage::kCheck);
 }

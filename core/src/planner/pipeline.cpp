@@ -179,6 +179,9 @@ void Pipeline::enter(Stage stage) noexcept {
       return chain_begin(problem_, m.ends, make_via_joints(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
                          m.stage.trajectory);
     case Stage::kTrajectory:
+      if (attempts_.around.is_active) {
+        return around_begin(problem_, m.ends, m.stops[0], m.alone, m.stage.trajectory);
+      }
       return curves_begin(problem_, m.ends, curves_, m.stage.trajectory);
     case Stage::kCheck:
       return check_begin(m.stage.check);

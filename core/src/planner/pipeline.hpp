@@ -80,6 +80,9 @@ class Pipeline {
   void go_on_from_stop(bool done) noexcept;
   void go_on_from_nearest(bool done) noexcept;
   void meet_track() noexcept;
+  void begin_around() noexcept;
+  void go_on_from_around(bool done) noexcept;
+  void give_up_around() noexcept;
   void go_on_from_tracks(bool done) noexcept;
   void end_trial(bool proven) noexcept;
   void check_as_is(Quality quality, Attempt attempt) noexcept;

@@ -29,7 +29,7 @@ struct Problem {
   const WorldMemory* world;  ///< the memory of the world: see world_of()
   const Via* vias;           ///< world frame
   std::int32_t via_count;
-  const Track* tracks;  ///< the certifier's, and no one else's
+  const Track* tracks;
   std::int32_t track_count;
   const AskedWorld* asked_world;  ///< the fences, likewise; null: none
   bool has_windows;               ///< some of them are for a while

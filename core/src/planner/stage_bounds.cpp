@@ -161,6 +161,13 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
   return {0, 0};
 }
 
+StageBound around_bound(std::int32_t count) noexcept {
+  const std::uint64_t pairs = std::uint64_t{kMaxSegments} * static_cast<std::uint64_t>(count);
+  const Operations planes = kMaxSeparations * (2 * kMeetOperations + kRowsOperations);
+  if (count == 0) return {0, 0};
+  return {(kMaxQpSolves + 1) * pairs + kMaxQpSolves, kMeetOperations + planes};
+}
+
 StageBound tracks_bound(std::int32_t count) noexcept {
   return {count > 0 ? track_bound(count) : 0, kTrackOperations};
 }

@@ -28,17 +28,17 @@ constexpr int kQpMaxUnknowns = 4 * (kMaxSegments - 1) + 2;  ///< per axis; 2 for
 constexpr int kQpPointTerms = 8;                            ///< unknowns that one point may depend on
 /// Positions, velocities on halves, accelerations on quarters, jerks on halves.
 constexpr int kQpPointsPerSegment = 8 + 13 + 21 + 9;
-constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment + kMaxVias;
+constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment + kMaxVias + 8 * kMaxSeparations;
 /// Instants of a segment at which a limit on body rates has rows of its own, and their planes: one below the thrust,
 /// four around the jerk.
 constexpr int kQpTurningInstants = 9;
 constexpr int kQpTurningPlanes = 5;
-constexpr int kQpMaxGroups = (4 + 2 * kQpTurningInstants) * kMaxSegments + kMaxVias;
+constexpr int kQpMaxGroups = (4 + 2 * kQpTurningInstants) * kMaxSegments + kMaxVias + kMaxSeparations;
 /// Planes of the limits on thrust and tilt.
 constexpr int kQpThrustPlanes = 7 * 16;
 /// Polyhedra and body rates; velocity, acceleration, thrust and jerk limits; cubes around vias.
-constexpr int kQpMaxPlanes =
-    kMaxSegments * (kMaxPlanes + kQpTurningInstants * kQpTurningPlanes) + 3 * 22 + kQpThrustPlanes + 6 * kMaxVias;
+constexpr int kQpMaxPlanes = kMaxSegments * (kMaxPlanes + kQpTurningInstants * kQpTurningPlanes) + 3 * 22 +
+                             kQpThrustPlanes + 6 * kMaxVias + kMaxSeparations;
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
 /// terms = 0 makes a constant point, whose constraints can only be checked.

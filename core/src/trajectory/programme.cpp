@@ -8,6 +8,7 @@
 #include "trajectory/end_weights.hpp"
 #include "trajectory/limit_planes.hpp"
 #include "trajectory/piece.hpp"
+#include "trajectory/programme_points.hpp"
 #include "trajectory/thrust_planes.hpp"
 #include "trajectory/turning_rows.hpp"
 
@@ -81,56 +82,6 @@ void add_via_joints(const Chain& chain, const ProgrammeScale& scale, QpProblem& 
     }
     if (!gives(via_joint, 0)) add_spring(via_joint, chain.center, scale, problem);
   }
-}
-
-/// True if the point depends on an unknown of that end.
-bool depends_on(const Piece& piece, int end, const EndWeights& weights) {
-  if (!weights.touches[end] || !piece.free[end]) return false;
-  if (!piece.held) return true;
-  for (int e = end * kJointOrder; e < (end + 1) * kJointOrder; ++e) {
-    if (!piece.given[e] && absolute(weights.of[e]) > 0.0) return true;
-  }
-  return false;
-}
-
-void add_given(const Piece& piece, int end, const EndWeights& weights, double multiplier, QpPoint& point) {
-  for (int e = end * kJointOrder; e < (end + 1) * kJointOrder; ++e) {
-    point.offset = point.offset + (multiplier * weights.of[e]) * piece.fixed[e];
-  }
-}
-
-/// Adds the contribution of one end to the point.
-void add_end(const Piece& piece, int end, const EndWeights& weights, double multiplier, QpPoint& point) {
-  if (!piece.free[end] || piece.held) add_given(piece, end, weights, multiplier, point);
-  if (!depends_on(piece, end, weights)) return;
-  if (point.terms == 0) point.first = static_cast<std::int16_t>(unknown_of(piece, end * kJointOrder));
-  double* const coefficient = point.coefficient + point.terms;
-  for (int j = 0; j < kJointOrder; ++j) {
-    const int e = end * kJointOrder + j;
-    coefficient[j] = (multiplier * weights.of[e]) * piece.factor[e];
-  }
-  point.terms = static_cast<std::int16_t>(point.terms + kJointOrder);
-}
-
-/// Appends a point times the multiplier, unless the point is constant.
-void add_point(const Piece& piece, const EndWeights& weights, double multiplier, const PointOrigin& origin,
-               ProgrammeScale& scale, QpProblem& problem) {
-  QpPoint& point = problem.points[problem.point_count];
-  point.offset = kZero;
-  point.first = point.terms = 0;
-  for (int end = 0; end < 2; ++end) {
-    if (weights.touches[end]) add_end(piece, end, weights, multiplier, point);
-  }
-  if (point.terms == 0) return;
-  for (int k = point.terms; k < kQpPointTerms; ++k) point.coefficient[k] = 0.0;
-  scale.origin[problem.point_count] = origin;
-  ++problem.point_count;
-}
-
-void add_group(int point_begin, int plane_begin, int plane_end, QpProblem& problem) {
-  if (point_begin == problem.point_count) return;
-  problem.groups[problem.group_count] = QpGroup{point_begin, problem.point_count, plane_begin, plane_end};
-  ++problem.group_count;
 }
 
 /// Adds the planes of a polyhedron, relative to the centre.

@@ -19,13 +19,15 @@
 
 namespace tern {
 
-/// What a point of a programme stands for: control point `index` of a segment (order 0), or point `index` of
-/// kHodographPoints (order 1 to 3).
+/// What a point of a programme stands for: control point `index` of a segment (order 0), point `index` of
+/// kHodographPoints (order 1 to 3), or a row of a separation (kSeparationOrder).
 struct PointOrigin {
   std::int16_t segment;
   std::int8_t order;
   std::int8_t index;
 };
+
+constexpr std::int8_t kSeparationOrder = -1;
 
 static_assert(kJerkPoints == kQpTurningInstants, "room for the rows of body rates");
 

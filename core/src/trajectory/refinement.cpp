@@ -188,9 +188,9 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
     retime(refinement, chain);
     return;
   }
-  if (refinement.round == kFeasibilityRounds) return enter(refinement, RefinementPhase::kDone);
+  if (refinement.round == refinement.lengthenings) return enter(refinement, RefinementPhase::kDone);
   for (int i = 0; i < chain.count; ++i) {
-    refinement.base[i] = kLengthening * refinement.base[i];
+    refinement.base[i] = refinement.lengthening * refinement.base[i];
     chain.duration[i] = refinement.base[i];
   }
 }
@@ -244,6 +244,8 @@ void descend(Refinement& refinement, const Round& round, Chain& chain) {
 void refinement_begin(Refinement& refinement, const Chain& chain, const Question& question) noexcept {
   enter(refinement, RefinementPhase::kFeasibility);
   refinement.elastic = question.elastic;
+  refinement.lengthening = question.lengthening;
+  refinement.lengthenings = question.lengthenings;
   refinement.last_rung = rung_of(question.weight);
   refinement.first_rung = question.paced ? refinement.last_rung : -rungs_below(question.agility);
   refinement.rung = refinement.first_rung;

@@ -42,6 +42,10 @@ struct Offer {
   double cost;      ///< snap + rate * duration of the stretched plan, m^2/s^7
 };
 
+/// Rounds of the feasibility phase that lengthen all durations, and by how much.
+constexpr int kFeasibilityRounds = 6;
+constexpr double kLengthening = 1.35;
+
 /// What the search is to find.
 struct Question {
   double unit;     ///< m^2/s^8, > 0: what a second costs at weight 1
@@ -49,10 +53,14 @@ struct Question {
   double agility;  ///< times/time_unit.hpp
   bool elastic;    ///< plans may be stretched: start and goal are at rest
   bool paced;      ///< the first durations are those of an earlier plan for that weight
+  double lengthening = kLengthening;
+  int lengthenings = kFeasibilityRounds;
 };
 
 struct Refinement {
   RefinementPhase phase;
+  double lengthening;           ///< of a round of the feasibility phase
+  int lengthenings;             ///< the most of them
   bool elastic;                 ///< plans may be stretched: from rest to rest
   int round;                    ///< rounds of this phase, or of this rung of the descent
   int failures;                 ///< steps of this rung that failed
@@ -82,8 +90,6 @@ struct Round {
   double prices[kMaxSegments];  ///< prices of each segment's time in the plan or bound, before the stretch
 };
 
-constexpr int kFeasibilityRounds = 6;
-constexpr double kLengthening = 1.35;
 /// The longest steps of one round, down and up, in the logarithm of a duration. It is costly to prove that a programme
 /// with much too short durations is infeasible.
 constexpr double kShortestStep = 0.12;

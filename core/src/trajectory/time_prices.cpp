@@ -51,6 +51,7 @@ void time_prices(const Chain& chain, const QpProblem& problem, const QpSolution&
   for (int r = 0; r < solution.active_count; ++r) {
     const QpConstraint& active = solution.active[r];
     const PointOrigin& origin = scale.origin[active.point];
+    if (origin.order < 0) continue;
     const int i = origin.segment;
     drift_of(points[i], drift);
     const Vec3 change = point_drift(origin, points[i], drift, chain.duration[i], scale.unit[origin.order]);

@@ -6,17 +6,19 @@
 #include "base/math.hpp"
 #include "curve/rest.hpp"
 #include "times/time_unit.hpp"
+#include "trajectory/among_things.hpp"
 #include "trajectory/chain_ends.hpp"
 #include "trajectory/programme.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/turning.hpp"
 #include "trajectory/turning_rows.hpp"
+#include "trajectory/via_bounds.hpp"
 
 namespace tern {
 namespace {
 
-/// The most passes of the stage's loop: three a programme, and some at the end.
-constexpr int kPasses = 3 * kMaxQpSolves + 4;
+/// The most passes of the stage's loop: four a programme, and some at the end.
+constexpr int kPasses = 4 * kMaxQpSolves + 4;
 
 /// A programme's lower bound is examined every time after this many iterations.
 constexpr int kBoundStride = 4;
@@ -26,7 +28,7 @@ bool rests(const TrajectoryQuery& query) {
 }
 
 bool is_elastic(const TrajectoryStage& stage) {
-  return rests(stage.query) && !hurries(stage.chain);
+  return rests(stage.query) && !hurries(stage.chain) && stage.query.scene == nullptr;
 }
 
 bool stays(const Corridor& corridor) {
@@ -66,6 +68,7 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
     follow_turning({stage.chain, stage.best.points}, stage.query.limits, stage.turning);
   }
   assemble(stage.chain, corridor, stage.query.limits, &stage.turning, stage.problem, stage.scale);
+  if (!part_from_things(stage, work)) return;
   stage.fixed_snap = fixed_snap(stage);
   work.spend(assembly_operations(stage.chain, stage.problem));
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
@@ -124,8 +127,8 @@ void keep_best(TrajectoryStage& stage) {
   stage.best.kkt_residual = relative_residual(stage.solution);
 }
 
-/// Makes the solution's plan the best one if it improves on that and passes all tests. A solution whose plan fails a
-/// test counts as none.
+/// Reads the solution's plan. It is better if it improves on the best one and passes all tests. A solution whose plan
+/// fails a test counts as none.
 void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   work.spend(points_operations(stage.chain));
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
@@ -143,17 +146,25 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
     share_turning(stage.problem, stage.solution, stage.scale, stage.chain.count, stage.turning);
     if (!stage.best.found) follow_turning(candidate, stage.query.limits, stage.turning);
   }
-  round.better = better && via_joints;
-  if (!round.better) return;
+  round.better = better && via_joints && is_short_enough(stage);
+}
+
+/// Makes the accepted solution's plan the best one.
+void take(TrajectoryStage& stage, Work& work) {
   work.spend(prices_operations(stage.chain, stage.solution));
   keep_best(stage);
-  time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
+  time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, stage.round.prices);
+  if (stage.query.scene == nullptr) return;
+  add_separation_prices(stage.chain, stage.solution, stage.scale, stage.points, stage.separations, stage.round.prices);
 }
 
 Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
   const TrajectoryQuery& query = stage.query;
-  return Question{time_unit(stage.chain, corridor, query.limits), query.time_weight,
-                  agility(stage.chain, corridor, query.limits), is_elastic(stage), query.paced && !stage.has_fallback};
+  Question question{time_unit(stage.chain, corridor, query.limits), query.time_weight,
+                    agility(stage.chain, corridor, query.limits), is_elastic(stage),
+                    query.paced && !stage.has_fallback};
+  if (query.scene != nullptr) ask_among_things(stage, question);
+  return question;
 }
 
 void begin_refinement(TrajectoryStage& stage, const Corridor& corridor) {
@@ -164,7 +175,7 @@ void begin_refinement(TrajectoryStage& stage, const Corridor& corridor) {
 /// If no programme had a solution: starts again from the segments of stop-and-go, for which a solution exists.
 void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const TrajectoryQuery& query = stage.query;
-  if (stage.best.found || stage.has_fallback || hurries(stage.chain)) return;
+  if (stage.best.found || stage.has_fallback || hurries(stage.chain) || query.scene != nullptr) return;
   work.spend(rest_operations(corridor.count, rests(query)));
   if (stop_and_go(corridor, query.start, query.goal, query.limits, stage.fallback) != Status::kOk) return;
   stage.has_fallback = true;
@@ -174,29 +185,15 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& wor
   begin_refinement(stage, corridor);
 }
 
-/// After a programme that was too ill-conditioned: from now on the chain goes through its vias exactly, which improves
-/// the conditioning. False if it already does.
-bool give_up_tolerances(TrajectoryStage& stage) {
-  bool had_some = false;
-  for (int i = 0; i < stage.chain.via_joint_count; ++i) {
-    had_some = had_some || stage.chain.via_joints[i].reach > 0.0;
-    stage.chain.via_joints[i].reach = 0.0;
-  }
-  if (had_some) stage.warm_count = 0;
-  return had_some;
-}
-
-/// Reads what an abandoned programme tells about the durations of a chain with vias. Chains without vias do not use it.
-void weigh_bound(TrajectoryStage& stage, Work& work) {
-  Round& round = stage.round;
-  const double bound = qp_lower_bound(stage.solver);
-  round.bounded = stage.chain.via_joint_count > 0 && stage.best.found && bound > -kQpNoBound;
-  if (!round.bounded) return;
-  round.offer.snap = stage.scale.snap_per_cost * bound + stage.fixed_snap;
-  qp_abandon(stage.solver, stage.problem, stage.solution);
-  work.spend(stage.solver.spent + points_operations(stage.chain) + prices_operations(stage.chain, stage.solution));
-  read_points(stage.chain, stage.scale, stage.solution, stage.points);
-  time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
+/// Ends a round.
+void go_on(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
+  if (stage.round.better) take(stage, work);
+  stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
+  stage.round.iterations = static_cast<int>(stage.iterations - stage.solve_begin);
+  refinement_next(stage.refinement, stage.round, stage.chain);
+  if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor, work);
+  if (stage.refinement.phase == RefinementPhase::kDone && turns_planes(stage, work)) begin_refinement(stage, corridor);
+  stage.phase = TrajectoryPhase::kPropose;
 }
 
 void judge(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
@@ -208,16 +205,16 @@ void judge(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   stage.round.better = false;
   weigh_bound(stage, work);
   if (stage.solve_status == Status::kOk) accept(stage, corridor, work);
-  stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
-  stage.round.iterations = static_cast<int>(stage.iterations - stage.solve_begin);
-  refinement_next(stage.refinement, stage.round, stage.chain);
-  if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor, work);
-  stage.phase = TrajectoryPhase::kPropose;
+  if (stage.round.better && stage.query.scene != nullptr) return look_at_things(stage);
+  go_on(stage, corridor, work);
 }
 
 /// Falls back to stop-and-go, if there is no better plan.
 Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out, Work& work) {
   const TrajectoryQuery& query = stage.query;
+  if (query.scene != nullptr) {
+    return conclude(stage.separations.is_full ? Status::kSeparationsFull : Status::kNoTrajectory, stage.status);
+  }
   work.spend(rest_operations(corridor.count, rests(query)));
   const Status status =
       hurries(stage.chain) ? Status::kNoTrajectory : stop_and_go(corridor, query.start, query.goal, query.limits, out);
@@ -264,6 +261,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   if (query.stop_and_go) return;
   begin_refinement(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
+  if (query.scene != nullptr) look_at_reference(stage);
 }
 
 void trajectory_stop(TrajectoryStage& stage) noexcept {
@@ -284,6 +282,11 @@ Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Wo
       case TrajectoryPhase::kJudge:
         if (!work.left()) return Progress::kMore;
         judge(stage, corridor, work);
+        break;
+      case TrajectoryPhase::kMeet:
+        if (!meet(stage, work)) return Progress::kMore;
+        stage.phase = TrajectoryPhase::kPropose;
+        if (meets_nothing_new(stage)) go_on(stage, corridor, work);
         break;
       case TrajectoryPhase::kFinish:
         break;

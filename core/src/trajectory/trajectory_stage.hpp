@@ -22,6 +22,7 @@
 #include "trajectory/candidate.hpp"
 #include "trajectory/programme.hpp"
 #include "trajectory/refinement.hpp"
+#include "trajectory/separations.hpp"
 
 namespace tern {
 
@@ -31,16 +32,17 @@ struct TrajectoryQuery {
   State start;
   State goal;
   MotionLimits limits;
-  double time_weight;        ///< > 0; see Request::time_weight
-  bool stop_and_go = false;  ///< no programme, but stop-and-go at once
-  bool paced = false;        ///< the chain has its durations from an earlier plan (times/pace.hpp)
+  double time_weight;            ///< > 0; see Request::time_weight
+  bool stop_and_go = false;      ///< no programme, but stop-and-go at once
+  bool paced = false;            ///< the chain has its durations from an earlier plan (times/pace.hpp)
+  const Scene* scene = nullptr;  ///< things that move, which the trajectory is led around; null: none
 };
 
 /// The most iterations of one run of the stage.
 constexpr std::uint32_t kTrajectoryBound =
     static_cast<std::uint32_t>(kMaxQpSolves) * static_cast<std::uint32_t>(kMaxQpIterations);
 
-enum class TrajectoryPhase : std::uint8_t { kPropose, kSolve, kJudge, kFinish };
+enum class TrajectoryPhase : std::uint8_t { kPropose, kSolve, kJudge, kMeet, kFinish };
 
 /// Plain data; needs no initialisation before trajectory_begin.
 struct TrajectoryStage {
@@ -71,6 +73,11 @@ struct TrajectoryStage {
   int warm_count;
   QpConstraint warm[kMaxActive];
   Vec3 points[kMaxSegments][kControlPoints];  ///< control points of the candidate
+  // With a scene.
+  int turns;       ///< how often its planes were turned
+  int repeats;     ///< how often durations were tried again with more planes
+  double settled;  ///< duration of the best plan when they were turned last
+  Separations separations;
   QpProblem problem;
   QpSolution solution;
   QpSolver solver;
@@ -78,6 +85,10 @@ struct TrajectoryStage {
 
 /// Starts a plan from the chain that the times stage made of the corridor. The corridor must stay unchanged until the
 /// plan ends; it has at least one polyhedron, each around its segment.
+///
+/// With a scene, the chain has the segments of the scene's reference, and the trajectory is what it would be with
+/// planes between it and all things that it meets. There is no stop-and-go then: kFailed with kNoTrajectory, or with
+/// kSeparationsFull if it meets too much.
 void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
                       const Chain& chain) noexcept;
 

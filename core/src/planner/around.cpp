@@ -1,0 +1,48 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/around.hpp"
+
+#include "base/math.hpp"
+#include "curve/rest.hpp"
+
+namespace tern {
+namespace {
+
+/// Gives the chain the segments of the seed.
+void follow_seed(const Trajectory& seed, Chain& chain) {
+  chain.count = seed.count;
+  for (int i = 0; i < seed.count; ++i) {
+    const Segment& segment = seed.segments[i];
+    chain.polyhedron[i] = segment.polyhedron;
+    chain.length[i] = distance(segment.points[0], segment.points[kDegree]);
+    chain.duration[i] = kAroundSlack * segment.duration;
+  }
+  place_via_joints(chain);
+}
+
+/// Where the plan rests besides: while it stops first, and at its vias.
+void set_pauses(const Problem& problem, const EndStop& start_stop, const Chain& chain, Scene& scene) {
+  for (double& pause : scene.pause) pause = 0.0;
+  for (int i = 0; i < start_stop.count; ++i) scene.pause[0] += start_stop.segments[i].duration;
+  for (int v = 0; v < chain.via_joint_count; ++v) {
+    scene.pause[chain.via_joints[v].segment] += problem.vias[v].dwell;
+  }
+}
+
+}  // namespace
+
+void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& alone,
+                  CurveMemory& memory) noexcept {
+  follow_seed(alone, memory.chain);
+  Scene& scene = memory.scene;
+  scene.things = {problem.tracks, problem.track_count, problem.grid->spec().clearance(), problem.asked.start.position,
+                  problem.asked.begin};
+  scene.reference = &alone;
+  scene.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
+  set_pauses(problem, start_stop, memory.chain, scene);
+  TrajectoryQuery query{ends.start, ends.goal, problem.limits, problem.asked.time_weight};
+  query.scene = &scene;
+  trajectory_begin(memory.stage, memory.corridor, query, memory.chain);
+}
+
+}  // namespace tern

@@ -1,0 +1,86 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A track as the planner reads it: where the thing is, and how far a plan has to keep away from it, over an interval of
+// time. Plain doubles: what the planner makes of them is proven by code of its own (prove/track_motion.hpp).
+#ifndef TERN_TRACKS_THING_HPP
+#define TERN_TRACKS_THING_HPP
+
+#include <cstdint>
+
+#include "base/math.hpp"
+#include "tern/track.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// What a plan is to keep clear of, in the plan's frame and clock.
+struct Things {
+  const Track* tracks = nullptr;
+  std::int32_t count = 0;
+  double radius = 0.0;     ///< m, of the robot
+  Vec3 origin{};           ///< of the plan's frame, world frame
+  std::int64_t begin = 0;  ///< ns: when the plan begins
+};
+
+/// What a thing does from some instant on. Times are seconds since the plan's beginning.
+struct ThingSpan {
+  enum Kind : std::uint8_t {
+    kAbsent,
+    kMoves,  ///< along its velocity or a piece
+    kRests,  ///< past its last piece
+    kStays,  ///< past Track::until
+  };
+  Kind kind;
+  double end;          ///< what it does until then; infinite if for good
+  std::int32_t piece;  ///< that it moves along
+  double piece_begin;
+};
+
+/// The centre's control points over an interval, and the distance from the thing's shape that a plan has to keep. A
+/// ball counts as its centre, and its radius as part of the distance.
+struct ThingPart {
+  Vec3 points[kControlPoints];
+  double need[kControlPoints];
+};
+
+/// Seconds from the plan's beginning to a time of its clock.
+double seconds_to(std::int64_t time, std::int64_t begin) noexcept;
+
+/// The span that holds from `at` on.
+ThingSpan thing_at(const Track& track, std::int64_t begin, double at) noexcept;
+
+/// The thing from `from` to `to`, both in the span.
+ThingPart part_of(const Things& things, const Track& track, const ThingSpan& span, double from, double to) noexcept;
+
+/// The point of the thing's shape that is closest to `point`, both relative to its centre.
+inline Vec3 closest_in(const Track& track, const Vec3& point) {
+  const Vec3& half = track.half;
+  if (track.shape == TrackShape::kBall) return kZero;
+  const double z = clamp(point.z, -half.z, half.z);
+  if (track.shape == TrackShape::kBox) return {clamp(point.x, -half.x, half.x), clamp(point.y, -half.y, half.y), z};
+  const double across = horizontal_length(point);
+  const double share = across > track.radius ? track.radius / across : 1.0;
+  return {share * point.x, share * point.y, z};
+}
+
+/// How far the shape reaches from its centre along a normal.
+inline double support_of(const Track& track, const Vec3& normal) {
+  const Vec3& half = track.half;
+  const double up = absolute(normal.z) * half.z;
+  if (track.shape == TrackShape::kBall) return 0.0;
+  if (track.shape == TrackShape::kBox) return (absolute(normal.x) * half.x + absolute(normal.y) * half.y) + up;
+  return track.radius * horizontal_length(normal) + up;
+}
+
+/// Half the edges of the box around the shape; a ball counts as its centre.
+inline Vec3 half_extent(const Track& track) {
+  if (track.shape == TrackShape::kBall) return kZero;
+  if (track.shape == TrackShape::kBox) return track.half;
+  return {track.radius, track.radius, track.half.z};
+}
+
+}  // namespace tern
+
+#endif
