@@ -101,10 +101,23 @@ Status plan_across(int count) {
   tern::Track wall;
   wall.position = 0.5 * (world.request.start.position + world.request.goal.position);
   wall.shape = tern::TrackShape::kBox;
-  wall.half = {0.01, 50.0, 50.0};
+  wall.half = {1.0, 50.0, 50.0};
   const std::vector<tern::Track> tracks(static_cast<std::size_t>(count), wall);
   world.request.tracks = tracks.data();
   world.request.track_count = count;
+  return world.plan();
+}
+
+/// A wall across the way for good, in an empty grid of so many voxels.
+Status plan_through(const tern::Voxel& dims) {
+  World world(dims, 0.1, 0.0);
+  world.from({0.05, 0.05, 0.45}).to({0.1 * dims.x - 0.05, 0.1 * dims.y - 0.05, 0.45});
+  tern::Track wall;
+  wall.position = 0.5 * (world.request.start.position + world.request.goal.position);
+  wall.shape = tern::TrackShape::kBox;
+  wall.half = {0.01, 50.0, 50.0};
+  world.request.tracks = &wall;
+  world.request.track_count = 1;
   return world.plan();
 }
 
@@ -124,6 +137,13 @@ std::vector<Exceeded> request_capacities() {
        [] { return plan_among(1, tern::kMaxTrackPieces + 1); }},
       {"TERN_MAX_SEPARATIONS", Status::kSeparationsFull, [] { return plan_across(1) == Status::kNoClearTime; },
        [] { return plan_across(tern::kMaxTracks); }},
+      {"TERN_MAX_FLOOD_WORDS", Status::kFloodFull,
+       [] {
+         return plan_through({32, 8, 8}) == Status::kNoClearTime;
+       },
+       [] {
+         return plan_through({64, 64, 8});
+       }},
       {"TERN_MAX_VIAS", Status::kViasFull, [] { return plan_with_vias(tern::kMaxVias) == Status::kOk; },
        [] { return plan_with_vias(tern::kMaxVias + 1); }}};
 }

@@ -263,7 +263,7 @@ std::vector<Case> world_cases() {
        }},
       {Status::kStartInContact, [] { return plan_among(open_world().request.start.position, 0.1); }},
       {Status::kGoalCovered, [] { return plan_among(open_world().request.goal.position, 0.1); }},
-      {Status::kNoClearTime, [] { return plan_among(kMiddle, 0.5); }},
+      {Status::kNoClearTime, [] { return plan_among(kMiddle, 1.7); }},
       {Status::kStartFenced, [] { return plan_fenced(open_world().request.start.position); }},
       {Status::kGoalFenced, [] { return plan_fenced(open_world().request.goal.position); }},
       {Status::kViaOccupied,

@@ -9,7 +9,7 @@ import re
 import sys
 
 ORDER = ["base", "grid", "inflation", "view", "map", "world", "search", "guide", "path", "ellipsoid", "corridor",
-         "curve", "tracks", "yaw", "times", "qp", "trajectory", "prove", "planner", "lookout", "flight", "record"]
+         "curve", "tracks", "flood", "yaw", "times", "qp", "trajectory", "prove", "planner", "lookout", "flight", "record"]
 # qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "record": {"base", "grid", "flight", "record"}}
 # The certifier shares nothing with what it judges but these, header by header: arithmetic, the rows of the grid's

@@ -146,6 +146,7 @@ TEST(CInterface, EveryStatusHasItsConstant) {
       {TERN_TRACKS_FULL, "tracks_full"},
       {TERN_TRACK_PIECES_FULL, "track_pieces_full"},
       {TERN_SEPARATIONS_FULL, "separations_full"},
+      {TERN_FLOOD_FULL, "flood_full"},
       {TERN_INFEASIBLE, "infeasible"},
       {TERN_NUMERICAL, "numerical"},
       {TERN_CHECK_FAILED, "check_failed"},

@@ -52,7 +52,7 @@ TEST_F(TinyTracks, MorePlanesThanFitAreAReason) {
     track.position = {0.5 * (world_.request.start.position.x + world_.request.goal.position.x),
                       world_.request.start.position.y, world_.request.start.position.z};
     track.shape = tern::TrackShape::kBox;
-    track.half = {0.01, 50.0, 50.0};
+    track.half = {1.0, 50.0, 50.0};
   }
   EXPECT_EQ(plan(2), Status::kSeparationsFull);
   EXPECT_TRUE(world_.trajectory_untouched());

@@ -140,7 +140,14 @@
 /// other, and one more for each further piece of the track. Each takes 1.3 KB of the workspace. Beyond it: the plan is
 /// not led around them, and fails with kSeparationsFull if it cannot wait either.
 #ifndef TERN_MAX_SEPARATIONS
-#define TERN_MAX_SEPARATIONS TERN_DEFAULT(2, 16, 96, 192)
+#define TERN_MAX_SEPARATIONS TERN_DEFAULT(4, 12, 96, 192)
+#endif
+
+/// Words of all layers of the flood in time, which looks for a way around things that move; 64 cells each. They share
+/// memory with the search. If they do not suffice, cells become larger. Beyond that: no such way is looked for, and the
+/// plan fails with kFloodFull if nothing else helps.
+#ifndef TERN_MAX_FLOOD_WORDS
+#define TERN_MAX_FLOOD_WORDS TERN_DEFAULT(256, 24 * 1024, 256 * 1024, 1024 * 1024)
 #endif
 
 /// Pixels of the images that a rolling map takes (MapSpec::pixels), 4 bytes each in the map's words. Beyond it:
@@ -187,6 +194,7 @@ constexpr int32_t kMaxTracks = TERN_MAX_TRACKS;
 constexpr int32_t kMaxTrackPieces = TERN_MAX_TRACK_PIECES;
 constexpr int64_t kMaxWorldWords = TERN_MAX_WORLD_WORDS;
 constexpr int kMaxSeparations = TERN_MAX_SEPARATIONS;
+constexpr int32_t kMaxFloodWords = TERN_MAX_FLOOD_WORDS;
 constexpr int32_t kMaxPixels = TERN_MAX_PIXELS;
 constexpr int32_t kMaxPriorBoxes = TERN_MAX_PRIOR_BOXES;
 constexpr int32_t kMaxYawPieces = TERN_MAX_YAW_PIECES;
@@ -208,6 +216,7 @@ static_assert(kMaxVias >= 1 && kMaxVias <= 1024, "sizes of reports are small");
 static_assert(kMaxTracks >= 1 && kMaxTracks <= 1024 && kMaxTrackPieces >= 1 && kMaxTrackPieces <= 65536,
               "indices and bounds of work are small");
 static_assert(kMaxSeparations >= 1 && kMaxSeparations <= 4096, "points of a programme are 8 for each");
+static_assert(kMaxFloodWords >= 64 && kMaxFloodWords <= (1 << 26), "sizes of layers are 32 bits");
 static_assert(kMaxPixels >= 64 && kMaxPixels <= (1 << 26) && kMaxPriorBoxes >= 1, "sizes of images are 32 bits");
 static_assert(kMaxYawPieces >= 8 && kMaxYawPieces <= 4096, "a start, an end and something between");
 static_assert(kMaxNodes < (1 << 30) && kMaxOpen < (1 << 30), "node indices are 32 bits");

@@ -139,6 +139,9 @@ enum class Status : uint8_t {
 
   /// TERN_MAX_SEPARATIONS: too many segments come near things that move, and waiting does not help.
   kSeparationsFull = 68,
+  /// TERN_MAX_FLOOD_WORDS: the way is too long, and the grid too large, to look for a way around things that move, and
+  /// waiting does not help.
+  kFloodFull = 69,
 
   // 70 .. 89: the solver or the machine did not hold up.
 
@@ -177,7 +180,7 @@ enum class Stage : uint8_t {
   kPrevious,     ///< proving the rest of Request::previous anew, if nothing new was found
   kStopFirst,    ///< finding ways to come to rest first, if a moving end has no other way
   kReach,        ///< finding the point nearest to the goal that a path leads to, if none leads to the goal
-  kTracks,       ///< finding a time at which the plan is clear of all tracks, if it is not now
+  kTracks,       ///< finding a way in time among the tracks, or a time at which the plan is clear of them all
 };
 constexpr int kStageCount = 13;
 

@@ -42,6 +42,8 @@ constexpr size_t kFences =
     kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxWorldWords) * 8 + 1024;
 /// Tracks, as they were given, and their pieces.
 constexpr size_t kTracks = static_cast<size_t>(kMaxTracks) * 160 + static_cast<size_t>(kMaxTrackPieces) * 200 + 3072;
+/// The flood in time: its layers, and the cells of a way.
+constexpr size_t kFlood = static_cast<size_t>(kMaxFloodWords) * 8 + 4096;
 /// The corridor: the solid boxes around one segment, and the scratch memory to merge and measure them.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
@@ -50,12 +52,14 @@ constexpr size_t kTrajectory = kSegments * (17000 + kPlanes * 112) + kActive * (
 /// The check: for each segment, normals along which keep-outs are cut off.
 constexpr size_t kCheck = kSegments * kMaxFences * 272 + kFencePlanes * 256 + 8192;
 /// The results, which outlive the stages that made them: the path and its current leg, vias, corridor, trajectory, the
-/// one as if nothing moved, the stops of both ends and the previous plan.
-constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegments * (kPlanes * 36 + 1472) + 6500;
+/// stops of both ends and the previous plan.
+constexpr size_t kResults = (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegments * (kPlanes * 36 + 1248) + 6400;
+/// What plans around things that move begin from: the plan as if nothing moved with its corridor, and two more.
+constexpr size_t kAround = kSegments * (kPlanes * 32 + 56 + 3 * 208 + 24 + 32) + 512;
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 125 kB for the profile tiny, 363 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Bytes that a planner needs: 131 kB for the profile tiny, 368 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
 /// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
 /// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
@@ -63,9 +67,9 @@ constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
 constexpr size_t kWorkspaceBytes =
     (workspace::larger(
-         workspace::larger(workspace::kSearch, workspace::kReach),
+         workspace::larger(workspace::kSearch, workspace::larger(workspace::kReach, workspace::kFlood)),
          workspace::larger(workspace::larger(workspace::kCorridor, workspace::kCheck), workspace::kTrajectory)) +
-     workspace::kResults + workspace::kFences + workspace::kTracks + 2 * kWorkspaceAlignment - 1) /
+     workspace::kResults + workspace::kAround + workspace::kFences + workspace::kTracks + 2 * kWorkspaceAlignment - 1) /
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 

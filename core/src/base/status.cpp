@@ -56,6 +56,7 @@ const char* status_name(Status status) noexcept {
     case Status::kTracksFull: return "tracks_full";
     case Status::kTrackPiecesFull: return "track_pieces_full";
     case Status::kSeparationsFull: return "separations_full";
+    case Status::kFloodFull: return "flood_full";
     case Status::kWorkingSetFull: return "working_set_full";
     case Status::kIterationLimit: return "iteration_limit";
     case Status::kInfeasible: return "infeasible";
@@ -118,6 +119,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kTracksFull: return "too many tracks: raise TERN_MAX_TRACKS";
     case Status::kTrackPiecesFull: return "too many pieces of tracks: raise TERN_MAX_TRACK_PIECES";
     case Status::kSeparationsFull: return "too many segments near things that move: raise TERN_MAX_SEPARATIONS";
+    case Status::kFloodFull: return "too large a grid or too long a way for the flood in time: raise TERN_MAX_FLOOD_WORDS";
     case Status::kRecordFull: return "the room for the record does not suffice";
     case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
     case Status::kWorkingSetFull: return "too many constraints active at once: raise TERN_MAX_ACTIVE";

@@ -9,13 +9,13 @@ namespace tern {
 namespace {
 
 /// Gives the chain the segments of the seed.
-void follow_seed(const Trajectory& seed, Chain& chain) {
+void follow_seed(const Trajectory& seed, double slack, Chain& chain) {
   chain.count = seed.count;
   for (int i = 0; i < seed.count; ++i) {
     const Segment& segment = seed.segments[i];
     chain.polyhedron[i] = segment.polyhedron;
     chain.length[i] = distance(segment.points[0], segment.points[kDegree]);
-    chain.duration[i] = kAroundSlack * segment.duration;
+    chain.duration[i] = larger(kMinDuration, slack * segment.duration);
   }
   place_via_joints(chain);
 }
@@ -31,13 +31,27 @@ void set_pauses(const Problem& problem, const EndStop& start_stop, const Chain& 
 
 }  // namespace
 
-void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& alone,
-                  CurveMemory& memory) noexcept {
-  follow_seed(alone, memory.chain);
+void keep(const Path& path, const Corridor& corridor, Kept& kept) noexcept {
+  kept.corridor = corridor;
+  kept.points = path.count;
+  for (int i = 0; i < path.count; ++i) kept.path[i] = path.points[i];
+  kept.length = path.length;
+}
+
+void bring_back(const Kept& kept, Path& path, Corridor& corridor) noexcept {
+  corridor = kept.corridor;
+  path.count = kept.points;
+  for (int i = 0; i < path.count; ++i) path.points[i] = kept.path[i];
+  path.length = kept.length;
+}
+
+void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& seed,
+                  double slack, CurveMemory& memory) noexcept {
+  follow_seed(seed, slack, memory.chain);
   Scene& scene = memory.scene;
   scene.things = {problem.tracks, problem.track_count, problem.grid->spec().clearance(), problem.asked.start.position,
                   problem.asked.begin};
-  scene.reference = &alone;
+  scene.reference = &seed;
   scene.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
   set_pauses(problem, start_stop, memory.chain, scene);
   TrajectoryQuery query{ends.start, ends.goal, problem.limits, problem.asked.time_weight};

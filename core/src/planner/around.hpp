@@ -10,17 +10,42 @@
 #include "planner/curves.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/problem.hpp"
+#include "planner/timed_seed.hpp"
+#include "tern/corridor.hpp"
+#include "tern/path.hpp"
 #include "tern/report.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 
 namespace tern {
 
+/// What of a plan may come back.
+struct Kept {
+  Trajectory trajectory;  ///< without stops and dwells
+  Corridor corridor;
+  std::int32_t points;  ///< of its path
+  Vec3 path[kMaxWaypoints];
+  double length;
+};
+
+/// The plans that the search for one around things begins from, and falls back to.
+struct AroundMemory {
+  Kept alone;        ///< the plan as if nothing moved
+  Trajectory found;  ///< around things in its corridor, with stops and dwells
+  Trajectory seed;   ///< of the current way
+  TimedWay way;
+};
+
 struct Around {
   bool is_active = false;            ///< the trajectory in memory, or the one that is being made, leads around things
   Quality quality = Quality::kNone;  ///< of the plan that was made as if nothing moved
   Status optimiser = Status::kOk;
-  bool is_full = false;  ///< there were more planes than there is room for
+  Status lacking = Status::kOk;  ///< a capacity that did not suffice
+  bool is_flooding = false;      ///< the stage `tracks` looks for a way
+  bool is_last = false;          ///< what is checked now is the answer, if it is clear
+  int seed = 0;                  ///< floods that were begun
+  double alone = 0.0;            ///< s that the plan as if nothing moved takes
+  double found = 0.0;            ///< s that the plan in the first corridor takes; 0: there is none
 };
 
 /// True if there is a corridor and a plan of this quality to begin from.
@@ -28,13 +53,22 @@ constexpr bool may_lead_around(Quality quality, bool has_corridor) noexcept {
   return has_corridor && (quality == Quality::kOptimised || quality == Quality::kStopAndGo);
 }
 
-/// A seed's durations are lengthened by this factor: the way around is longer.
+/// The durations of the plan as if nothing moved are lengthened by this factor: the way around is longer.
 constexpr double kAroundSlack = 1.04;
+/// A plan that lasts longer than that one by no more than this factor is good enough.
+constexpr double kGoodEnough = 1.02;
+/// Floods look for no ways that take longer by more than this factor.
+constexpr double kLongestFlood = 2.0;
+
+/// Keeps what the search for other ways overwrites, and brings it back.
+void keep(const Path& path, const Corridor& corridor, Kept& kept) noexcept;
+void bring_back(const Kept& kept, Path& path, Corridor& corridor) noexcept;
 
 /// Makes the chain and the scene of the seed, and begins its trajectory. The times stage has run: the memory has the
-/// corridor and the chain's ends and vias. `alone` must stay until the trajectory is done.
-void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& alone,
-                  CurveMemory& memory) noexcept;
+/// corridor and the chain's ends and vias. The durations are `slack` times those of the seed, which must stay until the
+/// trajectory is done.
+void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& seed,
+                  double slack, CurveMemory& memory) noexcept;
 
 }  // namespace tern
 

@@ -7,6 +7,7 @@
 #include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
+#include "planner/around.hpp"
 #include "planner/curves.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/moving.hpp"
@@ -36,7 +37,7 @@ struct Layout {
   ViaMemory vias;
   Corridor corridor;
   Trajectory trajectory;
-  Trajectory alone;  ///< the plan as if nothing moved, without stops and dwells
+  AroundMemory around;
   Ends ends;
   EndStop stops[2];  ///< the start's and the goal's
   Previous previous;
@@ -50,6 +51,7 @@ struct Layout {
     CorridorStage corridor;
     CurveMemory trajectory;
     CheckStage check;
+    TimedFlood flood;
   } stage;
 };
 

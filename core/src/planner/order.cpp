@@ -61,6 +61,7 @@ void Pipeline::begin_way() noexcept {
 
 /// Enters what follows the current stage, which is done or has failed.
 void Pipeline::go_on(bool done) noexcept {
+  if (attempts_.around.is_active && stage_ != Stage::kCheck) return go_on_around(done);
   switch (stage_) {
     case Stage::kWorld:
       if (problem_.goal_fault == Status::kOk) return begin_attempts();
@@ -123,13 +124,12 @@ void Pipeline::go_on_from_corridor(bool done) noexcept {
 /// A chain that has to pass a via in motion has no stop-and-go to fall back to.
 void Pipeline::go_on_from_trajectory(bool done) noexcept {
   Layout& memory = *memory_;
-  if (attempts_.around.is_active) return go_on_from_around(done);
   quality_ = curves_.quality;
   optimiser_ = curves_.optimiser;
   attempts_.waiting = {};
   attempts_.around = {};
   if (!done) return fail(Stage::kTrajectory, curves_.status);
-  if (problem_.track_count > 0) memory.alone = memory.trajectory;
+  if (problem_.track_count > 0) memory.around.alone.trajectory = memory.trajectory;
   if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
     enter(Stage::kCheck);
   } else if (curves_.stop_and_go || hurries(memory.stage.trajectory.stage.chain)) {
@@ -142,7 +142,7 @@ void Pipeline::go_on_from_trajectory(bool done) noexcept {
 void Pipeline::go_on_from_check(bool done) noexcept {
   Layout& memory = *memory_;
   if (attempts_.follow.is_trial) return end_trial(done);
-  if (!done && attempts_.around.is_active) return give_up_around();
+  if (attempts_.around.is_active) return judge_around(done);
   if (!done) {
     refused_ = memory.stage.check.found;
     left_ = memory.stage.check.proof.left();
@@ -150,6 +150,12 @@ void Pipeline::go_on_from_check(bool done) noexcept {
     const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
     return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
   }
+  take_plan();
+}
+
+/// The plan in memory is clear.
+void Pipeline::take_plan() noexcept {
+  Layout& memory = *memory_;
   left_ = memory.stage.check.proof.left();
   rest_until_ = rest_clear_until(memory.stage.check);
   if (follows() || !prefers_remainder(attempts_.follow, memory.trajectory)) {
@@ -171,39 +177,10 @@ void Pipeline::meet_track() noexcept {
   leads ? begin_around() : enter(Stage::kTracks);
 }
 
-/// Plans around things, in the corridor of the plan that met them.
-void Pipeline::begin_around() noexcept {
-  Around& around = attempts_.around;
-  around = {true, quality_, optimiser_};
-  enter(Stage::kTimes);
-}
-
-void Pipeline::go_on_from_around(bool done) noexcept {
-  Layout& memory = *memory_;
-  if (!done || !complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
-    return give_up_around();
-  }
-  quality_ = curves_.quality;
-  optimiser_ = curves_.optimiser;
-  enter(Stage::kCheck);
-}
-
-/// There is no plan around things: the one that was made as if nothing moved may wait.
-void Pipeline::give_up_around() noexcept {
-  Layout& memory = *memory_;
-  Around& around = attempts_.around;
-  around.is_active = false;
-  around.is_full = around.is_full || curves_.status == Status::kSeparationsFull;
-  quality_ = around.quality;
-  optimiser_ = around.optimiser;
-  memory.trajectory = memory.alone;
-  complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory);
-  enter(Stage::kTracks);
-}
-
 void Pipeline::go_on_from_tracks(bool done) noexcept {
   if (done) return enter(Stage::kCheck);
-  fail(Stage::kTracks, attempts_.around.is_full ? Status::kSeparationsFull : conflict_.status);
+  const Status lacking = attempts_.around.lacking;
+  fail(Stage::kTracks, lacking != Status::kOk ? lacking : conflict_.status);
 }
 
 /// A remainder that ends elsewhere than at the goal takes the place of the start's stop. If it has no room, the reason

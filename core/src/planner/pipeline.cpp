@@ -180,7 +180,9 @@ void Pipeline::enter(Stage stage) noexcept {
                          m.stage.trajectory);
     case Stage::kTrajectory:
       if (attempts_.around.is_active) {
-        return around_begin(problem_, m.ends, m.stops[0], m.alone, m.stage.trajectory);
+        const bool is_first = attempts_.around.seed == 0;
+        return around_begin(problem_, m.ends, m.stops[0], is_first ? m.around.alone.trajectory : m.around.seed,
+                            is_first ? kAroundSlack : 1.0, m.stage.trajectory);
       }
       return curves_begin(problem_, m.ends, curves_, m.stage.trajectory);
     case Stage::kCheck:
@@ -195,6 +197,7 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kTracks:
+      if (attempts_.around.is_flooding) return;
       return waiting_begin(problem_, m.stops, conflict_, m.trajectory, m.vias, attempts_.waiting);
     case Stage::kRequest:
     case Stage::kWorld:
@@ -230,6 +233,9 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kReach:
       return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
     case Stage::kTracks:
+      if (attempts_.around.is_flooding) {
+        return timed_seed_advance(problem_, m.stage.flood, m.around.way, work);
+      }
       return look_for_time(work);
     case Stage::kRequest:
       break;
@@ -247,9 +253,8 @@ Progress Pipeline::look_for_time(Work& work) noexcept {
     if (found != Progress::kFailed || is_known) return found;
     goal_free_begin(arrival_, goal_free_);
   }
-  TrackProof& proof = memory_->stage.check.at_end;  // no stage needs it now
-  return goal_free_advance(grounds, trajectory, goal_free_, proof, work) == Progress::kMore ? Progress::kMore
-                                                                                            : Progress::kFailed;
+  return goal_free_advance(grounds, trajectory, goal_free_, work) == Progress::kMore ? Progress::kMore
+                                                                                     : Progress::kFailed;
 }
 
 /// The current stage has spent its budget. The optimiser then keeps the best plan that it has; other stages fail.

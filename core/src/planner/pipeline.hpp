@@ -76,19 +76,24 @@ class Pipeline {
   void go_on_from_corridor(bool done) noexcept;
   void go_on_from_trajectory(bool done) noexcept;
   void go_on_from_check(bool done) noexcept;
+  void take_plan() noexcept;
   void go_on_from_previous(bool done) noexcept;
   void go_on_from_stop(bool done) noexcept;
   void go_on_from_nearest(bool done) noexcept;
   void meet_track() noexcept;
-  void begin_around() noexcept;
-  void go_on_from_around(bool done) noexcept;
-  void give_up_around() noexcept;
   void go_on_from_tracks(bool done) noexcept;
   void end_trial(bool proven) noexcept;
   void check_as_is(Quality quality, Attempt attempt) noexcept;
   void stop_at_waypoints(Status why) noexcept;
   void fail(Stage stage, Status status) noexcept;
   void give_up() noexcept;
+
+  // around_order.cpp: what follows a stage while a plan around things is made.
+  void begin_around() noexcept;
+  void go_on_around(bool done) noexcept;
+  void judge_around(bool is_clear) noexcept;
+  void next_seed() noexcept;
+  void give_up_around() noexcept;
 
   /// The trajectory in memory is the previous plan.
   bool follows() const noexcept { return quality_ == Quality::kPrevious; }

@@ -11,6 +11,7 @@
 #include "planner/ledger.hpp"
 #include "planner/moving.hpp"
 #include "planner/previous.hpp"
+#include "planner/timed_seed.hpp"
 #include "prove/check_stage.hpp"
 #include "qp/operations.hpp"
 #include "times/pace.hpp"
@@ -166,6 +167,13 @@ StageBound around_bound(std::int32_t count) noexcept {
   const Operations planes = kMaxSeparations * (2 * kMeetOperations + kRowsOperations);
   if (count == 0) return {0, 0};
   return {(kMaxQpSolves + 1) * pairs + kMaxQpSolves, kMeetOperations + planes};
+}
+
+StageBound timed_bound(std::int32_t count, const GridSpec& spec) noexcept {
+  if (count == 0) return {0, 0};
+  const Operations sight = ops::kPiece + 2 * ops::kTurn * (spec.dims.y + Operations{spec.dims.z});
+  const Operations leg = sight + kMaxFloodLayers * (ops::kPiece + ops::kDot) * Operations{kMaxTracks};
+  return {kTimedSeeds * (kFloodPieces + kMaxFloodLayers * kMaxFloodLayers), kFloodOperations + leg};
 }
 
 StageBound tracks_bound(std::int32_t count) noexcept {

@@ -126,4 +126,19 @@ ThingPart part_of(const Things& things, const Track& track, const ThingSpan& spa
   return part;
 }
 
+bool thing_now(const Things& things, const Track& track, double at, Vec3& place, double& need) noexcept {
+  const ThingSpan span = thing_at(track, things.begin, at);
+  if (span.kind == ThingSpan::kAbsent) return false;
+  if (span.kind == ThingSpan::kMoves && track.piece_count == 0 && !(track.reach > 0.0)) {
+    const double s = at - seconds_to(track.measured, things.begin);
+    place = straight(track, track.position - things.origin, s);
+    need = error_after(track, s).value + things.radius + (track.shape == TrackShape::kBall ? track.radius : 0.0);
+    return true;
+  }
+  const ThingPart part = part_of(things, track, span, at, at);
+  place = part.points[0];
+  need = part.need[0];
+  return true;
+}
+
 }  // namespace tern

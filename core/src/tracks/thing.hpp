@@ -54,6 +54,10 @@ ThingSpan thing_at(const Track& track, std::int64_t begin, double at) noexcept;
 /// The thing from `from` to `to`, both in the span.
 ThingPart part_of(const Things& things, const Track& track, const ThingSpan& span, double from, double to) noexcept;
 
+/// The centre at an instant, and the distance from the shape that a plan has to keep then. False if the thing is not
+/// there.
+bool thing_now(const Things& things, const Track& track, double at, Vec3& place, double& need) noexcept;
+
 /// The point of the thing's shape that is closest to `point`, both relative to its centre.
 inline Vec3 closest_in(const Track& track, const Vec3& point) {
   const Vec3& half = track.half;

@@ -38,7 +38,6 @@ void look_at_reference(TrajectoryStage& stage) noexcept {
   for (int i = 0; i < stage.chain.count; ++i) {
     for (int k = 0; k < kControlPoints; ++k) stage.points[i][k] = scene.reference->segments[i].points[k];
   }
-  stage.turns = stage.repeats = 0;
   meet_begin(true, stage.separations);
   stage.phase = TrajectoryPhase::kMeet;
 }

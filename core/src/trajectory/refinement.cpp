@@ -188,7 +188,7 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
     retime(refinement, chain);
     return;
   }
-  if (refinement.round == refinement.lengthenings) return enter(refinement, RefinementPhase::kDone);
+  if (refinement.round >= refinement.lengthenings) return enter(refinement, RefinementPhase::kDone);
   for (int i = 0; i < chain.count; ++i) {
     refinement.base[i] = refinement.lengthening * refinement.base[i];
     chain.duration[i] = refinement.base[i];

@@ -1,0 +1,21 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_FLOOD_FLOOD_MARKS_HPP
+#define TERN_FLOOD_FLOOD_MARKS_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "flood/flood_lattice.hpp"
+#include "tracks/thing.hpp"
+
+namespace tern {
+
+/// Clears the cells whose middles are nearer to a thing at a time than the needed distance and `more` metres. The
+/// things are in the grid's local frame. Returns the operations that it took.
+Operations clear_near_thing(const FloodLattice& lattice, const Grid& grid, const Things& things, const Track& track,
+                            double time, double more, std::uint64_t* layer) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,88 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flood/timed_way.hpp"
+
+#include "base/capacity.hpp"
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+#include "path/sight.hpp"
+
+namespace tern {
+namespace {
+
+Vec3 point_of(const TimedFlood& flood, const Grid& grid, std::int32_t layer) {
+  if (layer == 0) return flood.query.from;
+  if (layer == flood.arrival) return flood.query.to;
+  return middle_of(flood.lattice, grid, flood.way[layer]);
+}
+
+/// The most layers of a leg.
+std::int32_t longest_leg(const TimedFlood& flood) {
+  const std::int32_t wanted = floor_index(kLongestLeg / flood.step, 1, kMaxFloodLayers);
+  const std::int32_t needed = flood.arrival / (1 + 3 * kMaxSegments / 4) + 1;
+  return wanted < needed ? needed : wanted;
+}
+
+std::int32_t first_trial(const TimedFlood& flood, std::int32_t knot) {
+  const std::int32_t end = knot + longest_leg(flood);
+  return end < flood.arrival ? end : flood.arrival;
+}
+
+/// True if a point keeps off all things at a time.
+bool is_clear(const Things& things, const Vec3& point, double time) {
+  for (std::int32_t j = 0; j < things.count; ++j) {
+    Vec3 place{};
+    double need = 0.0;
+    if (!thing_now(things, things.tracks[j], time, place, need)) continue;
+    const Vec3 from = point - place;
+    if (distance(from, closest_in(things.tracks[j], from)) < need) return false;
+  }
+  return true;
+}
+
+/// True if a straight line from one layer's cell to another's is free and clear.
+bool is_leg(const TimedFlood& flood, const Grid& grid, std::int32_t begin, std::int32_t end, Work& work) {
+  const Vec3 from = point_of(flood, grid, begin);
+  const Vec3 to = point_of(flood, grid, end);
+  const bool is_outer = begin == 0 || end == flood.arrival;
+  work.spend(sight_operations(grid, from, to));
+  if (!line_of_sight(grid, from, to, is_outer ? 0.0 : kSightMargin)) return false;
+  const Things& things = flood.query.things;
+  for (std::int32_t k = begin + 1; k < end; ++k) {
+    const double share = static_cast<double>(k - begin) / (end - begin);
+    work.spend((ops::kPiece + ops::kDot) * things.count);
+    if (!is_clear(things, from + share * (to - from), flood.query.begin + k * flood.step)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void timed_way_begin(const TimedFlood& flood, TimedWay& way) noexcept {
+  way.count = 0;
+  way.points[0] = flood.query.from;
+  way.knot = 0;
+  way.trial = first_trial(flood, 0);
+}
+
+Progress timed_way_advance(const TimedFlood& flood, const Grid& grid, TimedWay& way, Work& work) noexcept {
+  // Each trial is a layer nearer than the one before.
+  for (std::int32_t i = 0; i < kMaxFloodLayers * kMaxFloodLayers; ++i) {
+    if (way.knot == flood.arrival) return Progress::kDone;
+    if (!work.left()) return Progress::kMore;
+    work.spend(ops::kPiece);
+    if (way.trial > way.knot + 1 && !is_leg(flood, grid, way.knot, way.trial, work)) {
+      --way.trial;
+      continue;
+    }
+    if (is_full(way.count == kMaxSegments)) return Progress::kFailed;
+    way.duration[way.count] = (way.trial - way.knot) * flood.step;
+    ++way.count;
+    way.points[way.count] = point_of(flood, grid, way.trial);
+    way.knot = way.trial;
+    way.trial = first_trial(flood, way.knot);
+  }
+  return Progress::kFailed;
+}
+
+}  // namespace tern

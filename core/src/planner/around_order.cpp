@@ -1,0 +1,103 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What follows a stage while a plan around things is made. First the plan as if nothing moved is the seed; if that
+// gives no plan, or one that lasts much longer, ways from the flood in time are, one after the other.
+//
+//   times -> trajectory -> check -> the plan, or the next seed: tracks (flood) -> corridor -> times -> ...
+#include "planner/layout.hpp"
+#include "planner/pipeline.hpp"
+
+namespace tern {
+
+/// The check has refused the plan in memory because of a track.
+void Pipeline::begin_around() noexcept {
+  Layout& memory = *memory_;
+  Around& around = attempts_.around;
+  around = Around{};
+  around.is_active = true;
+  around.quality = quality_;
+  around.optimiser = optimiser_;
+  around.alone = duration(memory.trajectory);
+  keep(memory.path, memory.corridor, memory.around.alone);
+  enter(Stage::kTimes);
+}
+
+void Pipeline::go_on_around(bool done) noexcept {
+  Layout& memory = *memory_;
+  Around& around = attempts_.around;
+  around.is_flooding = false;
+  if (stage_ == Stage::kTrajectory && curves_.status == Status::kSeparationsFull) around.lacking = curves_.status;
+  if (!done) return next_seed();
+  switch (stage_) {
+    case Stage::kTracks:
+      take_way(memory.around.way, memory.path);
+      return enter(Stage::kCorridor);
+    case Stage::kCorridor:
+      if (!make_seed(memory.around.way, memory.corridor, memory.ends, memory.around.seed)) return next_seed();
+      return enter(Stage::kTimes);
+    case Stage::kTimes:
+      return enter(Stage::kTrajectory);
+    default:
+      break;
+  }
+  if (!complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) return next_seed();
+  quality_ = curves_.quality;
+  optimiser_ = curves_.optimiser;
+  enter(Stage::kCheck);
+}
+
+/// The check has proven the plan around things, or refused it.
+void Pipeline::judge_around(bool is_clear) noexcept {
+  Layout& memory = *memory_;
+  Around& around = attempts_.around;
+  if (!is_clear) return next_seed();
+  const double lasts = duration(memory.trajectory);
+  const bool is_first = around.seed == 0 && !around.is_last;
+  if (is_first && lasts > kGoodEnough * around.alone && may_flood(problem_)) {
+    memory.around.found = memory.trajectory;
+    around.found = lasts;
+    return next_seed();
+  }
+  if (is_first || around.is_last || around.found <= 0.0 || lasts < around.found) return take_plan();
+  next_seed();
+}
+
+/// Goes on to the next flood. After the last one, the answer is the plan in the first corridor, if there is one.
+void Pipeline::next_seed() noexcept {
+  Layout& memory = *memory_;
+  Around& around = attempts_.around;
+  const int most = around.found > 0.0 ? kFastSeeds : kTimedSeeds;
+  const double longest = around.found > 0.0 ? around.found : kLongestFlood * around.alone;
+  while (may_flood(problem_) && around.seed < most && !around.is_last) {
+    const int seed = around.seed++;
+    const Status status =
+        timed_seed_begin(problem_, memory.ends, memory.stops[0], seed, longest, memory.stage.flood, memory.around.way);
+    if (status != Status::kRunning) {
+      if (around.lacking == Status::kOk) around.lacking = status;
+      continue;
+    }
+    around.is_flooding = true;
+    return enter(Stage::kTracks);
+  }
+  bring_back(memory.around.alone, memory.path, memory.corridor);
+  if (around.found <= 0.0 || around.is_last) return give_up_around();
+  memory.trajectory = memory.around.found;
+  quality_ = Quality::kOptimised;
+  around.is_last = true;
+  enter(Stage::kCheck);
+}
+
+/// There is no plan around things: the one that was made as if nothing moved may wait.
+void Pipeline::give_up_around() noexcept {
+  Layout& memory = *memory_;
+  Around& around = attempts_.around;
+  around.is_active = false;
+  quality_ = around.quality;
+  optimiser_ = around.optimiser;
+  memory.trajectory = memory.around.alone.trajectory;
+  complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory);
+  enter(Stage::kTracks);
+}
+
+}  // namespace tern
