@@ -16,12 +16,20 @@ std::uint64_t spread_word(const std::uint64_t* row, std::int32_t words, std::int
   return spread;
 }
 
-/// One word after cells have spread to neighbours `stride` words away, of which there are some if `before` or `after`.
-std::uint64_t spread_across(const std::uint64_t* word, std::int32_t stride, bool before, bool after) {
-  std::uint64_t spread = word[0];
-  if (before) spread |= word[-stride];
-  if (after) spread |= word[stride];
-  return spread;
+/// out = the free cells of `count` rows of so many words after each cell has spread to the rows beside its own.
+void spread_rows(const std::uint64_t* in, const std::uint64_t* free, std::int32_t words, std::int32_t count, bool steps,
+                 std::uint64_t* out) {
+  for (std::int32_t row = 0; row < count; ++row) {
+    const bool before = steps && row > 0;
+    const bool after = steps && row + 1 < count;
+    const std::uint64_t* const own = in + row * words;
+    for (std::int32_t k = 0; k < words; ++k) {
+      std::uint64_t spread = own[k];
+      if (before) spread |= own[k - words];
+      if (after) spread |= own[k + words];
+      out[row * words + k] = spread & free[row * words + k];
+    }
+  }
 }
 
 }  // namespace
@@ -30,33 +38,29 @@ void spread_layer(const FloodLattice& lattice, const FloodSteps& steps, const st
                   const std::uint64_t* in, std::uint64_t* out, std::uint64_t* scratch) noexcept {
   const std::int32_t w = lattice.row_words;
   const Voxel& cells = lattice.cells;
-  std::uint64_t* const first = scratch;
+  const std::int32_t plane = w * cells.y;
+  std::uint64_t* const by_x = scratch;
   std::uint64_t* const level = scratch + lattice.words;
   // Along x, then along y.
   for (std::int32_t r = 0; r < lattice.words; r += w) {
-    for (std::int32_t k = 0; k < w; ++k) first[r + k] = spread_word(in + r, w, k, steps.x) & free[r + k];
+    for (std::int32_t k = 0; k < w; ++k) by_x[r + k] = spread_word(in + r, w, k, steps.x) & free[r + k];
   }
-  for (std::int32_t r = 0; r < lattice.words; ++r) {
-    const std::int32_t y = r / w % cells.y;
-    level[r] = spread_across(first + r, w, steps.y && y > 0, steps.y && y + 1 < cells.y) & free[r];
-  }
+  for (std::int32_t z = 0; z < lattice.words; z += plane)
+    spread_rows(by_x + z, free + z, w, cells.y, steps.y, level + z);
   // Along y, then along x.
-  for (std::int32_t r = 0; r < lattice.words; ++r) {
-    const std::int32_t y = r / w % cells.y;
-    first[r] = spread_across(in + r, w, steps.y && y > 0, steps.y && y + 1 < cells.y) & free[r];
-  }
+  std::uint64_t* const by_y = scratch;
+  for (std::int32_t z = 0; z < lattice.words; z += plane) spread_rows(in + z, free + z, w, cells.y, steps.y, by_y + z);
   for (std::int32_t r = 0; r < lattice.words; r += w) {
-    for (std::int32_t k = 0; k < w; ++k) level[r + k] &= spread_word(first + r, w, k, steps.x);
+    for (std::int32_t k = 0; k < w; ++k) level[r + k] &= spread_word(by_y + r, w, k, steps.x);
   }
-  const std::int32_t plane = w * cells.y;
-  for (std::int32_t z = 0; z < cells.z; ++z) {
-    for (std::int32_t r = z * plane; r < (z + 1) * plane; ++r) {
-      out[r] = spread_across(level + r, plane, steps.z && z > 0, steps.z && z + 1 < cells.z) & free[r];
-    }
-  }
+  spread_rows(level, free, plane, cells.z, steps.z, out);
 }
 
 void keep_box(const FloodLattice& lattice, const Voxel& low, const Voxel& high, std::uint64_t* layer) noexcept {
+  const Voxel& cells = lattice.cells;
+  const bool keeps_all =
+      low.x <= 0 && low.y <= 0 && low.z <= 0 && high.x >= cells.x - 1 && high.y >= cells.y - 1 && high.z >= cells.z - 1;
+  if (keeps_all) return;
   const IndexRange along{low.x, high.x + 1};
   for (std::int32_t z = 0; z < lattice.cells.z; ++z) {
     for (std::int32_t y = 0; y < lattice.cells.y; ++y) {

@@ -264,7 +264,7 @@ Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& 
     flood.layers = floor_index(query.longest / flood.step, 0, kMaxFloodLayers) + 1;
     if (flood.layers > kMaxFloodLayers) flood.layers = kMaxFloodLayers;
     const std::int64_t words = std::int64_t{flood.lattice.words} * (kOtherLayers + 2 * (flood.layers + 1));
-    fits = words <= kMaxFloodWords && flood.layers * flood.step >= 0.9 * query.longest;
+    fits = words <= kMaxFloodWords;
   }
   if (is_full(!fits)) return Status::kFloodFull;
   flood.start = cell_at(flood.lattice, grid, query.from);

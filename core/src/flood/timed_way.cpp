@@ -10,6 +10,9 @@
 namespace tern {
 namespace {
 
+/// Legs that rest may be longer by this factor.
+constexpr std::int32_t kLongestRest = 3;
+
 Vec3 point_of(const TimedFlood& flood, const Grid& grid, std::int32_t layer) {
   if (layer == 0) return flood.query.from;
   if (layer == flood.arrival) return flood.query.to;
@@ -23,9 +26,20 @@ std::int32_t longest_leg(const TimedFlood& flood) {
   return wanted < needed ? needed : wanted;
 }
 
+bool rests(const Voxel& a, const Voxel& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/// The layer that a leg reaches at most. A leg that stays in its cell may be longer.
 std::int32_t first_trial(const TimedFlood& flood, std::int32_t knot) {
-  const std::int32_t end = knot + longest_leg(flood);
-  return end < flood.arrival ? end : flood.arrival;
+  const std::int32_t longest = longest_leg(flood);
+  std::int32_t end = knot + longest;
+  if (end > flood.arrival) return flood.arrival;
+  std::int32_t stays = knot;
+  while (stays < flood.arrival && rests(flood.way[stays + 1], flood.way[knot])) ++stays;
+  const std::int32_t most = knot + kLongestRest * longest;
+  if (stays > end) end = stays < most ? stays : most;
+  return end;
 }
 
 /// True if a point keeps off all things at a time.

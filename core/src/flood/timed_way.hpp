@@ -15,8 +15,8 @@
 
 namespace tern {
 
-/// Legs last no longer than this, s, unless there were too many.
-constexpr double kLongestLeg = 1.0;
+/// Legs last no longer than this, s, unless they rest or there were too many.
+constexpr double kLongestLeg = 1.3;
 
 /// Local frame of the grid.
 struct TimedWay {

@@ -57,8 +57,8 @@ constexpr bool may_lead_around(Quality quality, bool has_corridor) noexcept {
 constexpr double kAroundSlack = 1.04;
 /// A plan that lasts longer than that one by no more than this factor is good enough.
 constexpr double kGoodEnough = 1.02;
-/// Floods look for no ways that take longer by more than this factor.
-constexpr double kLongestFlood = 2.0;
+/// A flood at full speed looks for no ways that take longer by more than this factor; slower ones look further.
+constexpr double kLongestFlood = 1.6;
 
 /// Keeps what the search for other ways overwrites, and brings it back.
 void keep(const Path& path, const Corridor& corridor, Kept& kept) noexcept;

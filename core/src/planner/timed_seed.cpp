@@ -16,7 +16,7 @@ struct FloodTry {
   double more;   ///< to keep off things, in cells
   double size;   ///< of a cell, in robot's diameters
 };
-constexpr FloodTry kTries[kTimedSeeds] = {{1.0, 0.4, 1.0},  {0.92, 0.4, 1.0},   {0.85, 0.4, 1.0}, {0.7, 0.4, 1.0},
+constexpr FloodTry kTries[kTimedSeeds] = {{1.0, 0.4, 1.0},  {0.95, 0.4, 0.67},  {0.85, 0.4, 1.0}, {0.7, 0.4, 1.0},
                                           {0.55, 0.4, 1.0}, {0.55, 0.15, 0.67}, {0.4, -0.1, 0.67}};
 
 /// s: no layer is shorter, whatever the robot's size.
@@ -81,7 +81,7 @@ Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop&
   query.strongest = symmetric(problem.limits.acceleration);
   for (int i = 0; i < start_stop.count; ++i) query.begin += start_stop.segments[i].duration;
   query.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
-  query.longest = longest;
+  query.longest = longest / (of.share * of.share);
   query.share = of.share;
   query.more = of.more;
   query.edge = edge_of(problem, of.size, larger(query.fastest.x, query.fastest.y));

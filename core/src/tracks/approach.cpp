@@ -74,6 +74,17 @@ double room_at(const Track& track, const Instant& at) {
   return distance(at.point, closest_in(track, at.point)) - at.need;
 }
 
+/// The most by which the room changes from an instant that is looked at to halfway to the next: no derivative is larger
+/// than the longest edge between control points times the degree.
+double reach_between(const Stretch& stretch) {
+  double most = 0.0;
+  for (int k = 0; k < kDegree; ++k) {
+    const double edge = distance(stretch.points[k], stretch.points[k + 1]);
+    most = larger(most, edge + absolute(stretch.need[k + 1] - stretch.need[k]));
+  }
+  return 0.5 * kDegree * most / kInstants;
+}
+
 /// The room of the control points along a normal.
 double room_along(const Track& track, const Stretch& stretch, const Vec3& normal) {
   const double support = support_of(track, normal);
@@ -194,15 +205,12 @@ bool is_far_from(const Things& things, const Track& track, const TimedCurve& cur
 
 Approach approach_of(const Track& track, const Stretch& stretch) noexcept {
   Approach least{1e300, 0.0};
-  Instant nearest{kZero, 0.0};
   for (int i = 0; i <= kInstants; ++i) {
-    const Instant at = at_instant(stretch, i);
-    const double room = room_at(track, at);
-    if (room < least.room) {
-      least = {room, static_cast<double>(i) / kInstants};
-      nearest = at;
-    }
+    const double room = room_at(track, at_instant(stretch, i));
+    if (room < least.room) least = {room, static_cast<double>(i) / kInstants};
   }
+  // Between two instants, the room changes by no more than half of what the points move.
+  if (least.room > reach_between(stretch)) return least;
   double step = 1.0 / kInstants;
   for (int turn = 0; turn < kFinerTimes; ++turn) {
     const double middle = least.u;

@@ -44,7 +44,8 @@ bool next_stretch(const Things& things, const Track& track, const TimedCurve& cu
 bool is_far_from(const Things& things, const Track& track, const TimedCurve& curve, const Box& box, double spare,
                  Operations& spent) noexcept;
 
-/// How near a stretch comes: the least distance from the shape less what is needed, and where.
+/// How near a stretch comes: the least distance from the shape less what is needed, and where. If there is plenty, it
+/// is rough.
 struct Approach {
   double room;
   double u;  ///< on the stretch

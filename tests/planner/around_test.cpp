@@ -1,0 +1,169 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Scenes among things that move: each has an answer that is known, to within what a planner may lose.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Status;
+using tern::Track;
+using tern::TrackEnd;
+using tern::TrackShape;
+using tern::Vec3;
+
+constexpr std::int64_t kSecond = 1000000000;
+
+/// 20 x 10 x 3 m, 16 m along the middle at 2.5 m/s: 7.8 s without things.
+class Scenes : public testing::Test {
+ protected:
+  Scenes() : world_({100, 50, 15}, 0.2, 0.3) {
+    world_.from({2.0, 5.0, 1.5}).to({18.0, 5.0, 1.5});
+    world_.request.limits = {{2.5, 2.5, 1.5}, {4.0, 4.0, 3.0}};
+    world_.request.rest_clear = 1.0;
+  }
+
+  static Track ball(const Vec3& place, const Vec3& velocity) {
+    Track track;
+    track.position = place;
+    track.velocity = velocity;
+    track.radius = 0.3;
+    track.error = 0.05;
+    track.error_speed = 0.02;
+    return track;
+  }
+
+  static Track box(const Vec3& place, const Vec3& velocity, const Vec3& half) {
+    Track track = ball(place, velocity);
+    track.shape = TrackShape::kBox;
+    track.half = half;
+    return track;
+  }
+
+  /// How long the plan takes; it is proven by code that knows nothing of the planner. 0: there is none.
+  double plan(const std::vector<Track>& tracks) {
+    world_.request.tracks = tracks.data();
+    world_.request.track_count = static_cast<std::int32_t>(tracks.size());
+    if (world_.plan() != Status::kOk) return 0.0;
+    tern::TrackGrounds grounds;
+    grounds.tracks = tracks.data();
+    grounds.count = world_.request.track_count;
+    grounds.radius = world_.spec.radius;
+    grounds.rest = 1.0;
+    grounds.leaves = true;
+    tern::ProofReport found;
+    tern::clear_until(world_.trajectory, 0.0, grounds, &found);
+    EXPECT_EQ(found.finding, tern::Finding::kNone);
+    for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
+    return tern::duration(world_.trajectory);
+  }
+
+  /// A tunnel 1.6 m wide and 1.4 m high from x = 4 to 16.
+  void dig_tunnel() {
+    world_.block({4.0, 0.0, 0.0}, {16.0, 4.2, 3.0});
+    world_.block({4.0, 5.8, 0.0}, {16.0, 10.0, 3.0});
+    world_.block({4.0, 4.0, 2.2}, {16.0, 6.0, 3.0});
+    world_.block({4.0, 4.0, 0.0}, {16.0, 6.0, 0.8});
+  }
+
+  World world_;
+};
+
+TEST_F(Scenes, WhatComesHeadOnIsPassed) {
+  const double alone = plan({});
+  ASSERT_GT(alone, 7.0);
+  const double passed = plan({ball({18.0, 5.0, 1.5}, {-1.0, 0.0, 0.0})});
+  EXPECT_GT(passed, 0.0);
+  EXPECT_LT(passed, 1.02 * alone);
+  Track stops = ball({18.0, 5.0, 1.5}, {-1.0, 0.0, 0.0});
+  stops.end = TrackEnd::kStays;
+  stops.until = 9 * kSecond;
+  const double beside = plan({stops});
+  EXPECT_GT(beside, 0.0);
+  EXPECT_LT(beside, 1.02 * alone);
+}
+
+TEST_F(Scenes, WhatOvertakesIsLetPast) {
+  const double let_past = plan({ball({-2.0, 5.0, 1.5}, {2.2, 0.0, 0.0})});
+  EXPECT_GT(let_past, 7.0);
+  EXPECT_LT(let_past, 10.6);
+}
+
+TEST_F(Scenes, AGapThatMovesIsMet) {
+  const double met = plan({box({10.0, -5.0, 1.5}, {0.0, 1.0, 0.0}, {0.3, 4.5, 3.0}),
+                           box({10.0, 6.6, 1.5}, {0.0, 1.0, 0.0}, {0.3, 5.0, 3.0})});
+  EXPECT_GT(met, 7.0);
+  EXPECT_LT(met, 8.5);
+}
+
+TEST_F(Scenes, AGoalThatIsCoveredIsReachedAfterwards) {
+  Track parked = ball({18.0, 5.0, 1.5}, {0.0, 0.0, 0.0});
+  parked.end = TrackEnd::kGone;
+  parked.until = 15 * kSecond;
+  const double arrives = plan({parked});
+  EXPECT_GE(arrives, 15.0);
+  EXPECT_LT(arrives, 17.0);
+}
+
+TEST_F(Scenes, AWayThatClosesForAWhileIsWaitedFor) {
+  Track closed = box({10.0, 5.0, 1.5}, {0.0, 0.0, 0.0}, {1.0, 6.0, 3.0});
+  closed.end = TrackEnd::kGone;
+  closed.measured = 2 * kSecond;
+  closed.until = 9 * kSecond;
+  const double short_wait = plan({closed});
+  EXPECT_GT(short_wait, 12.0);
+  EXPECT_LT(short_wait, 14.5);
+  closed.measured = 0;
+  closed.until = 30 * kSecond;
+  const double long_wait = plan({closed});
+  EXPECT_GT(long_wait, 33.0);
+  EXPECT_LT(long_wait, 37.0);
+}
+
+TEST_F(Scenes, ATunnelIsLeftToWhatComesThroughIt) {
+  dig_tunnel();
+  const double after = plan({ball({15.0, 5.0, 1.5}, {-1.0, 0.0, 0.0})});
+  EXPECT_GT(after, 15.0);
+  EXPECT_LT(after, 22.0);
+  world_.from({8.0, 5.0, 1.5});
+  const double back_out = plan({ball({15.0, 5.0, 1.5}, {-1.0, 0.0, 0.0})});
+  EXPECT_GT(back_out, 15.0);
+  EXPECT_LT(back_out, 25.0);
+  world_.from({2.0, 5.0, 1.5});
+  const double behind = plan({ball({15.0, 5.0, 1.5}, {1.0, 0.0, 0.0})});
+  EXPECT_GT(behind, 7.0);
+  EXPECT_LT(behind, 8.5);
+  EXPECT_EQ(plan({ball({10.0, 5.0, 1.5}, {0.0, 0.0, 0.0})}), 0.0);
+  EXPECT_EQ(world_.report.status, Status::kNoClearTime);
+}
+
+TEST_F(Scenes, TheNearestPointIsReachedAmongThings) {
+  world_.block({17.0, 4.0, 0.4}, {19.0, 6.0, 2.6});
+  world_.request.goal_mode = tern::GoalMode::kNearest;
+  EXPECT_GT(plan({ball({10.0, 1.0, 1.5}, {0.0, 1.0, 0.0})}), 6.0);
+  EXPECT_EQ(world_.report.goal_missed, Status::kGoalOccupied);
+}
+
+TEST_F(Scenes, ViasArePassedAmongThings) {
+  std::vector<tern::Via> vias(1);
+  vias[0].position = {10.0, 7.0, 1.5};
+  vias[0].tolerance = 0.3;
+  vias[0].dwell = 2.0;
+  vias[0].stop = true;
+  world_.request.vias = vias.data();
+  world_.request.via_count = 1;
+  const double alone = plan({});
+  ASSERT_GT(alone, 8.0);
+  // The second one crosses after the dwell.
+  const double among = plan({ball({10.0, 2.0, 1.5}, {0.0, 1.2, 0.0}), ball({14.0, 10.6, 1.5}, {0.0, -0.6, 0.0})});
+  EXPECT_GT(among, 0.0);
+  EXPECT_LT(among, 1.3 * alone);
+}
+
+}  // namespace
+}  // namespace tern_test
