@@ -38,7 +38,9 @@ struct Cost {
   std::uint64_t plan = 0;             // the whole call
   std::uint64_t path_unit = 0;        // the longest unit of search and shortcut
   std::uint64_t corridor_unit = 0;    // of the corridor
-  std::uint64_t trajectory_unit = 0;  // of trajectory and check
+  std::uint64_t trajectory_unit = 0;  // of trajectory, tracks and check
+  std::uint64_t proof = 0;            // of the plan against its tracks, alone
+  std::uint32_t proof_work = 0;
   std::size_t stack = 0;
 };
 
@@ -70,6 +72,19 @@ tern::Status plan_in_units(const Case& input, const tern::Grid& grid, tern::Plan
   return planner.finish(trajectory, report);
 }
 
+/// The proof against the tracks alone, from the plan's beginning to its end.
+void prove_tracks(const Case& input, Cost& cost) {
+  tern::TrackGrounds grounds;
+  grounds.tracks = input.request.tracks;
+  grounds.count = input.request.track_count;
+  grounds.radius = input.radius;
+  tern::ProofReport report;
+  const std::uint64_t begin = tern_board::counter();
+  tern::clear_until(trajectory, 0.0, grounds, &report);
+  cost.proof = tern_board::counter() - begin;
+  cost.proof_work = report.work;
+}
+
 tern::Status run(const Case& input, tern::Planner& planner, tern::Report& report, Cost& cost) {
   tern::Grid grid;
   const tern::Status status = build(input, grid, cost);
@@ -80,6 +95,7 @@ tern::Status run(const Case& input, tern::Planner& planner, tern::Report& report
   cost.plan = tern_board::counter() - begin;
   cost.stack = tern_board::stack_used();
   if (whole != tern::Status::kOk) return whole;
+  if (input.request.track_count > 0) prove_tracks(input, cost);
   return plan_in_units(input, grid, planner, cost);
 }
 
@@ -101,6 +117,7 @@ void report_case(const Case& input, tern::Status status, const tern::Report& rep
     row(input, tern::stage_name(static_cast<tern::Stage>(s)), stage.ticks, stage.work, stage.bound);
   }
   row(input, "plan", cost.plan, 0, 0);
+  if (input.request.track_count > 0) row(input, "tracks proof", cost.proof, cost.proof_work, 0);
   row(input, "path unit", cost.path_unit, 1, 1);
   row(input, "corridor unit", cost.corridor_unit, 1, 1);
   row(input, "trajectory unit", cost.trajectory_unit, 1, 1);

@@ -23,7 +23,7 @@ LEAST_UNITS = 100
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
 STAGES = ["grid", "mark", "inflate", "world", "search", "shortcut", "corridor", "times", "trajectory", "check",
-          "detour", "previous", "stop_first", "plan"]
+          "detour", "previous", "stop_first", "tracks", "tracks proof", "plan"]
 TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
 UNITS = ["path unit", "corridor unit", "trajectory unit", "unit"]
 COUNTED = ["world", "search", "shortcut", "corridor", "times", "trajectory", "check", "previous", "stop_first", "reach",
