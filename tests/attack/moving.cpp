@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "attack/attack_case.hpp"
+#include "attack/windows.hpp"
 
 namespace tern_attack {
 namespace {
@@ -193,13 +194,19 @@ void attack_tracks(Context& context, Rng& own, tern::Planner& planner, const Wor
   request.track_count = count;
   request.rest_clear = own.chance(0.5) ? 0.0 : own.real(0.0, 5.0);
   request.previous = nullptr;
+  TimedFences windows;
+  if (own.chance(0.4)) windows.add(own, world, request);
   if (without == Status::kOk) {
     out.begin = request.begin;
     tern::TrackGrounds grounds;
     grounds.tracks = things;
     grounds.count = count;
     grounds.radius = static_cast<double>(world.radius());
-    check_tracks(world, request, out, tern::clear_until(out, 0.0, grounds), "proof", context.findings);
+    grounds.fences = request.fences;
+    grounds.fence_count = request.fence_count;
+    const double until = tern::clear_until(out, 0.0, grounds);
+    check_tracks(world, request, out, until, "proof", context.findings);
+    check_windows(world, request, out, until, "proof", context.findings);
   }
   tern::Report answer;
   spoil(out);
@@ -222,9 +229,11 @@ void attack_tracks(Context& context, Rng& own, tern::Planner& planner, const Wor
   check_vias(world, request, out, answer, context.findings);
   const double end = tern::duration(out);
   check_tracks(world, request, out, end + request.rest_clear, "plan", context.findings);
+  check_windows(world, request, out, end + request.rest_clear, "plan", context.findings);
   const double rest = std::min(answer.rest_clear_until, end + 100.0);
   if (rest < end) report(context.findings, "track", "rest_clear_until %.9g before the end, %.9g", rest, end);
   check_tracks(world, request, out, rest, "rest", context.findings);
+  check_windows(world, request, out, rest, "rest", context.findings);
 }
 
 }  // namespace tern_attack

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "support/flown.hpp"
+#include "support/flights.hpp"
 
 namespace {
 
@@ -110,12 +110,12 @@ TEST(FlightYaw, PointIsLookedAt) {
 
 /// The camera looks to the side: what it does not show is not flown into, and the report says why the flight is slow.
 TEST(FlightYaw, NoseThatLooksAwaySlowsTheFlight) {
-  Turned turned(Scene{}, FlightSettings{}, yaw_of(FlightYawMode::kFixed));
+  Turned turned(Scene{}, tern_test::fast(), yaw_of(FlightYawMode::kFixed));
   turned.flown.flight.set_goal({25.0, 0.0, 1.5});
   EXPECT_EQ(turned.fly(60.0), FlightReason::kArrived);
   const int slow = turned.waits;
   EXPECT_GT(slow, 20);
-  Turned ahead(Scene{}, FlightSettings{}, yaw_of(FlightYawMode::kTowardsUnseen));
+  Turned ahead(Scene{}, tern_test::fast(), yaw_of(FlightYawMode::kTowardsUnseen));
   ahead.flown.flight.set_goal({25.0, 0.0, 1.5});
   EXPECT_EQ(ahead.fly(60.0), FlightReason::kArrived);
   EXPECT_LT(ahead.waits, slow / 4);

@@ -16,7 +16,7 @@ constexpr std::uint64_t kGoldenHash = 0x71edb71ee747224au;
 #if defined(TERN_PROFILE_MCU)
 constexpr std::uint64_t kGoldenFlightHash = 0x048d57bd601950e2u;
 #else
-constexpr std::uint64_t kGoldenFlightHash = 0xe8f50ff3c0c32767u;
+constexpr std::uint64_t kGoldenFlightHash = 0x51b50ab08c595badu;
 #endif
 
 }  // namespace tern_golden

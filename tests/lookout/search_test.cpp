@@ -89,6 +89,22 @@ TEST(LookoutSearch, WhatIsInViewNeedsNoFlight) {
   EXPECT_GT(room.found().heading.cosine, 0.99);
 }
 
+/// From a pocket of known space, nothing of the way up is in view. It would be from outside: the lookout lies in the
+/// pocket, and shows the way out.
+TEST(LookoutSearch, LooksForAWayOutOfAPocket) {
+  for (const Vec3& low : {Vec3{7.5, 7.25, 2.25}, Vec3{6.75, 7.0, 2.25}}) {
+    Searching room;
+    room.see_free(low, {9.25, 9.0, 4.0});
+    const Vec3 from{8.375, 8.125, 3.125};
+    ASSERT_EQ(room.ask(from, {8.375, 8.125, 6.125}), LookoutAnswer::kFound);
+    const Viewpoint& lookout = room.found();
+    EXPECT_TRUE(point_clear(room.map().safe(), room.map().safe().to_local(lookout.place), 0.5));
+    EXPECT_GT(lookout.hidden_count, 0);
+    EXPECT_GT(horizontal_length(lookout.look - from), 0.5);
+    EXPECT_LT(lookout.look.z, 4.5);
+  }
+}
+
 /// A wall hides what is behind it: the lookout has a free line of sight past its edge.
 TEST(LookoutSearch, LooksPastAWall) {
   Searching room;

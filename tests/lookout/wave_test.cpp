@@ -209,7 +209,7 @@ TEST(LookoutPlaces, AreThinned) {
   Work work;
   for (int k = 0; k < 20; ++k) {
     pool.wave.advance(pool.octets, false, work);
-    places.take_front(pool.octets, pool.wave, work);
+    places.take_front(pool.octets, pool.wave, false, work);
   }
   EXPECT_GT(places.count, kMaxPlaces / 5);
   EXPECT_LE(places.count, kMaxPlaces);

@@ -30,7 +30,8 @@ TEST(MapSeen, EveryShownVoxelWasInFrontOfAllItsPixels) {
   SeenCounts sum;
   for (int k = 0; k < scaled(2000); ++k) sum.add(check_frame(random, tern_test::random_spec(random)));
   expect_right(sum);
-  EXPECT_GT(sum.shown, sum.could_be / 2);  // though half of the frames allow for a wrong pose
+  // Half of the frames allow for a wrong pose. Without close looks at the pixels of voxels it is 0.68.
+  EXPECT_GT(static_cast<double>(sum.shown), 0.71 * static_cast<double>(sum.could_be));
 }
 
 TEST(MapSeen, NoVoxelThatAScanShowsHoldsAThing) {

@@ -10,7 +10,7 @@ import sys
 
 CONTRAST = 3.0
 DISTANCE = 12.0  # in CIELAB; 2.3 is just noticeable side by side
-LINES = ("ink", "known", "commit", "brake", "dropped", "corridor", "sensor", "fence")
+LINES = ("ink", "known", "commit", "brake", "dropped", "corridor", "sensor", "fence", "thing")
 FLOORS = ("paper", "ground")
 # Machado, Oliveira and Fernandes (2009), severity 1: what remains of linear RGB.
 EYES = {

@@ -44,8 +44,8 @@ class Demo {
     editor.hidden = false;
     const hint = document.createElement("p");
     hint.textContent = matchMedia("(pointer: coarse)").matches
-      ? "Drag the start, the goal or a block. Sliders set the heights."
-      : "Drag the start, the goal or a block; with Shift, up and down.";
+      ? "Drag the start, the goal, a block or where something that moves begins. Sliders set the heights."
+      : "Drag the start, the goal, a block or where something that moves begins; with Shift, up and down.";
     editor.append(hint);
     for (const [key, text, least, most, step, unit] of SETTINGS) {
       editor.append(this.slider(key, text, least, most, step, unit, this.scenario.records[key]));

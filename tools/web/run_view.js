@@ -59,6 +59,8 @@ class RunView {
     if (run.blocked) this.addLayer("blocked", blockedMark(run, palette, 0.7 * mark));
     if (run.film) this.addFilm(palette); else this.addLayer("known", knownObstacles(run, palette, this.shared));
     if (run.fences.length + run.keepout.length > 0) this.addLayer("fences", fences(run, palette));
+    this.things = run.things && run.things.length > 0 ? new Things(run, palette, this.shared.pixel) : null;
+    if (this.things) this.addLayer("things", this.things.group);
     if (run.path) this.addLayer("path", this.paths(palette));
     if (run.corridor) {
       this.addLayer("corridor", polyhedraMesh(this.run.corridor, volumeMaterials(palette.corridor, 0.04, 0.28)));
@@ -122,6 +124,8 @@ class RunView {
 
   setTime(t) {
     this.time = Math.min(t, this.end);
+    if (this.things) this.things.setTime(this.time);
+    if (this.layers.fences) showFences(this.layers.fences, this.time);
     if (!this.motion) return;
     this.motion.vector("p", this.time, this.vehicle.position);
     this.motion.quaternion(this.time, this.vehicle.quaternion);

@@ -2,22 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 "use strict";
 
-/** A scenario that is edited: numbers by their keys, and blocks. */
+/** A scenario that is edited: numbers by their keys, blocks, and balls that move along a velocity. */
 class Scenario {
   constructor(text) {
     this.records = {};
     this.blocks = [];
+    this.tracks = [];
     for (const line of text.split("\n")) {
       const [key, ...numbers] = line.trim().split(/\s+/);
       if (key === "block") this.blocks.push(numbers.map(Number));
+      else if (key === "track") this.tracks.push(Scenario.track(line.trim().split(/\s+/)));
       else if (key) this.records[key] = numbers.map(Number);
     }
+  }
+
+  /** track NAME ball RADIUS at x y z velocity vx vy vz and further words. */
+  static track([, name, , radius, , x, y, z, , vx, vy, vz, ...words]) {
+    return {name, radius: Number(radius), at: [x, y, z].map(Number), velocity: [vx, vy, vz].map(Number), words};
+  }
+
+  static trackText({name, radius, at, velocity, words}) {
+    return `track ${name} ball ${radius} at ${at.join(" ")} velocity ${velocity.join(" ")} ${words.join(" ")}`;
   }
 
   /** As a file (docs/formats.md). */
   text() {
     const records = Object.entries(this.records).map(([key, numbers]) => `${key} ${numbers.join(" ")}`);
-    return [...records, ...this.blocks.map((block) => `block ${block.join(" ")}`)].join("\n") + "\n";
+    return [...records, ...this.blocks.map((block) => `block ${block.join(" ")}`),
+      ...this.tracks.map(Scenario.trackText)].join("\n") + "\n";
   }
 
   /** Something that has a place: its corners, and how to move it. */
@@ -28,7 +40,11 @@ class Scenario {
       box: [...point.map((x) => x - size), ...point.map((x) => x + size)],
       move: (by) => this.moveBox(point, by, 1),
     }));
-    return [...ends, ...this.blocks.map((block) => ({box: block, block, move: (by) => this.moveBox(block, by, 2)}))];
+    const things = this.tracks.map(({at, radius: of}) => ({
+      box: [...at.map((x) => x - Math.max(of, 0.3)), ...at.map((x) => x + Math.max(of, 0.3))],
+      move: (by) => this.moveBox(at, by, 1),
+    }));
+    return [...ends, ...things, ...this.blocks.map((block) => ({box: block, block, move: (by) => this.moveBox(block, by, 2)}))];
   }
 
   /** Moves `corners` points of three numbers together; they stay within the boundary. */

@@ -70,10 +70,12 @@ function ghostObstacles(run, palette) {
 /** What must be kept out of is filled; of what must be stayed in, the edges are drawn. */
 function fences(run, palette) {
   const group = new THREE.Group();
-  for (const fence of run.fences) {
+  run.fences.forEach((fence, i) => {
     const opacities = fence.keep_in ? [0.02, 0.8] : [0.28, 0.9];
-    group.add(polyhedraMesh([fence.halfspaces], volumeMaterials(palette.fence, ...opacities)));
-  }
+    const mesh = polyhedraMesh([fence.halfspaces], volumeMaterials(palette.fence, ...opacities));
+    mesh.userData.window = run.windows ? run.windows[i] : null;
+    group.add(mesh);
+  });
   if (run.keepout.length > 0) {
     group.add(
       boxesMesh(run.keepout, new THREE.MeshLambertMaterial({color: palette.fence, transparent: true, opacity: 0.28,
@@ -81,6 +83,14 @@ function fences(run, palette) {
       outlines({boxes: run.keepout, cylinders: []}, palette.fence, 0.9));
   }
   return group;
+}
+
+/** A fence for a while is there while it holds. */
+function showFences(group, time) {
+  group.children.forEach((mesh) => {
+    const {window} = mesh.userData;
+    if (window) mesh.visible = window[0] <= time && time <= window[1];
+  });
 }
 
 /** Where a flight was blocked at its end: a cube of this size on a pole from the floor, through whatever hides it. */

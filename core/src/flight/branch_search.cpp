@@ -13,11 +13,15 @@ double earliest_branch(const FlightFacts& flight, const Draft& draft) {
   return draft.extends ? flight.plans.in_flight.branch : 2.0 * 1e-9 * static_cast<double>(flight.spec.tick);
 }
 
+/// A plan to a lookout moves a resting vehicle by so many voxels at least: the lookout may be in the next one.
+constexpr double kLeastLookOut = 0.5;
+
 }  // namespace
 
 bool leads_on(const FlightFacts& flight, const Vec3& start, const Draft& draft) noexcept {
+  const double least = draft.plan.looks_out ? kLeastLookOut : 1.0;
   return !flight.rests_at(draft.takeover) || draft.plan.at_target ||
-         distance(draft.plan.end(), start) >= flight.map.safe().spec().cell;
+         distance(draft.plan.end(), start) >= least * flight.map.safe().spec().cell;
 }
 
 void BranchSearch::begin(double until) noexcept {

@@ -25,6 +25,13 @@ bool is_hemmed_in(const FlightFacts& flight, std::int64_t takeover) {
          !point_clear(safe, safe.to_local(flight.plans.sample_at(takeover).position), safe.spec().clearance());
 }
 
+/// True if the vehicle will rest where no voxel is free to begin a plan at: it went as far as what it knows allows.
+bool is_squeezed(const FlightFacts& flight, std::int64_t takeover) {
+  const Grid& safe = flight.map.safe();
+  return flight.rests_at(takeover) && safe.inflated() &&
+         !safe.free(safe.voxel_of(safe.to_local(flight.plans.sample_at(takeover).position)));
+}
+
 }  // namespace
 
 std::int64_t Lead::ticks(const FlightSpec& spec) const noexcept {
@@ -46,6 +53,8 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   remainder_is_free = false;
   const GridSpec& window = flight.map.route().spec();
   const int attempt = (lookouts.leads() ? lookouts.failed_cycles : search.idle_cycles) % kAttempts;
+  leads_out = hemmed_in && search.idle_cycles % 2 == 1;
+  steps_back = !hemmed_in && lookouts.leads() && attempt == 1 && is_squeezed(flight, takeover);
   const double near = attempt < 2 ? flight.spec.near : 0.0;
   all_free = !(near > 0.0);
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
@@ -107,15 +116,14 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
   return true;
 }
 
-void Cycle::choose_aim(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
-                       std::int64_t takeover) noexcept {
+void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept {
   looks_out = lookouts.leads();
-  const bool leads_out = hemmed_in && search.idle_cycles % 2 == 1;
   aim.choose_points(flight, takeover);
-  if (leads_out || looks_out) aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
+  if (leads_out || steps_back || looks_out) aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
   if (looks_out) aim.lead_to(lookouts.place());
   if (leads_out) aim.choose_way_out(flight);
+  if (steps_back) aim.choose_step_back(flight);
   ask(flight);
 }
 

@@ -67,6 +67,8 @@ struct Cycle {
   Job job;
   bool all_free;           ///< no unseen voxel is solid in the route copy
   bool hemmed_in;          ///< something is within the radius of where the vehicle rests
+  bool leads_out;          ///< the plan leads away from what is within the radius
+  bool steps_back;         ///< the plan leads to the nearest voxel that is free for all that is known
   bool remainder_is_free;  ///< the remainder of the planner's plan in flight is free on the route copy
   bool looks_out;          ///< the plan leads to a lookout, or to a place on the way to one
   bool cut_off;            ///< no way leads to the target, and the vehicle rests as near to it as it can
@@ -85,8 +87,7 @@ struct Cycle {
   /// Chooses the aim of the plan in flight, if that is still good enough. False if another one is to be chosen.
   bool follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
   /// Chooses another aim.
-  void choose_aim(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
-                  std::int64_t takeover) noexcept;
+  void choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
   Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   /// The planner is done. `found` says what it found.

@@ -57,7 +57,7 @@ Progress FlightState::run_job() noexcept {
 Progress FlightState::choose_aim() noexcept {
   if (cycle.follow_aim(facts, lookouts, draft.takeover)) return Progress::kDone;
   facts.itinerary.clear_suspicion(facts);
-  cycle.choose_aim(facts, search, lookouts, draft.takeover);
+  cycle.choose_aim(facts, lookouts, draft.takeover);
   return Progress::kDone;
 }
 

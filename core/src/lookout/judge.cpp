@@ -43,7 +43,8 @@ Vec3 LookoutSearch::place_of(const RollingMap& map, std::int32_t place) const no
   if (place == 0) return question.from;
   const Grid& safe = map.safe();
   const Voxel octet = octets_.octet(places_.place[place].octet);
-  return safe.spec().origin + safe.center(octets_.free_voxel(safe, octet));
+  const Grid& grid = octets_.bit(octets_.known, octet) ? safe : map.route();
+  return safe.spec().origin + safe.center(octets_.free_voxel(grid, octet));
 }
 
 bool LookoutSearch::aims(const Vec3& place, bool at_all, Heading& heading) const noexcept {
@@ -65,8 +66,20 @@ double LookoutSearch::seconds_to(std::int32_t place, const Heading& heading) con
   return larger(move, turn) + kLookSeconds;
 }
 
+bool LookoutSearch::sees(const RollingMap& map, const SensorPose& pose, const Vec3& centre, Lines lines,
+                         Work& work) const noexcept {
+  switch (lines) {
+    case Lines::kWide:
+      return optics.in_wide_sight(map, pose, centre, work);
+    case Lines::kThin:
+      return optics.in_sight(map, pose.eye, centre, work);
+    default:
+      return optics.in_short_sight(map, pose.eye, centre, work);
+  }
+}
+
 LookoutSearch::Sight LookoutSearch::look(const RollingMap& map, const Tried& tried, const Vec3& place,
-                                         const Heading& heading, const Vec3& at, std::int32_t stride, bool wide,
+                                         const Heading& heading, const Vec3& at, std::int32_t stride, Lines lines,
                                          Work& work) const noexcept {
   const SensorPose pose = optics.pose(place, heading, at);
   Sight sight{{0, 0}, 0, way_count_};
@@ -74,8 +87,7 @@ LookoutSearch::Sight LookoutSearch::look(const RollingMap& map, const Tried& tri
     const WantedVoxel& voxel = wanted_.voxel[k];
     const bool is_seen = optics.in_view(pose, voxel.centre) &&
                          (entry_[k] < 0 || !tried.voxel[entry_[k]].was_tried_from(place)) &&
-                         (wide ? optics.in_wide_sight(map, pose, voxel.centre, work)
-                               : optics.in_sight(map, pose.eye, voxel.centre, work));
+                         sees(map, pose, voxel.centre, lines, work);
     if (is_seen) {
       word_of(sight.seen, k) |= bit_of(k);
       if (k < wanted_.dense) ++sight.dense;
@@ -140,7 +152,7 @@ void LookoutSearch::rank(const RollingMap& map, const Tried& tried, Work& work) 
     if (!aims(place, at_all, heading) || tried.has_failed(place, aimed_at, cell)) continue;
     const double seconds = seconds_to(at_, heading);
     if (is_worse_than_kept(seconds)) continue;
-    const Sight sight = look(map, tried, place, heading, aimed_at, stride, pass_ == 1, work);
+    const Sight sight = look(map, tried, place, heading, aimed_at, stride, kRankedWith[pass_], work);
     for (std::size_t w = 0; w < sizeof ever_seen_ / sizeof ever_seen_[0]; ++w) ever_seen_[w] |= sight.seen[w];
     if (sight.dense > 0) keep({at_, at_all, cost(map, place, seconds, sight, tested)});
   }
@@ -156,7 +168,7 @@ void LookoutSearch::judge(const RollingMap& map, const Tried& tried, Work& work)
     const Vec3 place = place_of(map, candidate.place);
     Heading heading;
     if (!aims(place, candidate.at_all, heading)) return;
-    const Sight sight = look(map, tried, place, heading, wanted_.middle(candidate.at_all), 1, pass_ < 2, work);
+    const Sight sight = look(map, tried, place, heading, wanted_.middle(candidate.at_all), 1, kJudgedWith[pass_], work);
     if (sight.dense == 0) return;
     const double value = cost(map, place, seconds_to(candidate.place, heading), sight, wanted_.dense);
     if (best_.place >= 0 && value >= best_.cost) return;
@@ -165,14 +177,14 @@ void LookoutSearch::judge(const RollingMap& map, const Tried& tried, Work& work)
     return;
   }
   if (best_.place >= 0) return conclude_judging(map);
-  if (pass_ < 2 && (finalists_ > 0 || pass_ == 1)) {
-    ++pass_;
+  if (pass_ + 1 < kPasses) {
+    pass_ = finalists_ > 0 || pass_ == 1 ? pass_ + 1 : kPasses - 1;
     at_ = finalists_ = 0;
     stage_ = Stage::kRank;
     return;
   }
-  give_up_voxels(map);
-  if (stage_ != Stage::kOver) begin_way(work);
+  if (!give_up_voxels(map)) return end_in_vain(map);
+  begin_way(work);
 }
 
 void LookoutSearch::conclude_judging(const RollingMap& map) noexcept {
@@ -186,11 +198,12 @@ void LookoutSearch::conclude_judging(const RollingMap& map) noexcept {
       lookout.hidden[lookout.hidden_count++] = wanted_.voxel[k].centre;
     }
   }
+  if (target_ == Target::kElsewhere) return begin_target(map, Target::kWayElsewhere, lookout.place);
   end(LookoutAnswer::kFound);
 }
 
-/// What comes first can be seen from nowhere: the next way leads past it.
-void LookoutSearch::give_up_voxels(const RollingMap& map) noexcept {
+/// What comes first can be seen from nowhere: the next way leads past it. False if there is nothing to give up.
+bool LookoutSearch::give_up_voxels(const RollingMap& map) noexcept {
   const Grid& safe = map.safe();
   std::int32_t given_up = 0;
   for (std::int32_t k = 0; k < wanted_.dense && given_up < kGivenUp; k += kRankStride) {
@@ -198,7 +211,7 @@ void LookoutSearch::give_up_voxels(const RollingMap& map) noexcept {
     octets_.close_around(safe.voxel_of(safe.to_local(wanted_.voxel[k].centre)), safe.spec().clearance());
     ++given_up;
   }
-  if (given_up == 0 || ++round_ >= kLookoutRounds) end(LookoutAnswer::kNoSight);
+  return given_up > 0 && ++round_ < kLookoutRounds;
 }
 
 }  // namespace tern

@@ -41,11 +41,25 @@ void LookoutSearch::begin(const RollingMap& map, const LookoutQuestion& asked, s
   layer_ = octet_layer_words(safe.spec().dims);
   octets_.place(safe, voxel_near(safe, asked.from), words);
   start_octet_ = octets_.of(voxel_near(safe, asked.from));
-  goal_octet_ = octets_.of(safe.voxel_of(safe.to_local(asked.goal)));
+  lookout.hidden_count = 0;
+  begin_target(map, Target::kGoal, asked.goal);
+}
+
+void LookoutSearch::begin_target(const RollingMap& map, Target target, const Vec3& goal) noexcept {
+  const Grid& safe = map.safe();
+  target_ = target;
+  goal_ = goal;
+  goal_octet_ = octets_.of(safe.voxel_of(safe.to_local(goal)));
   goal_inside_ = octets_.has(goal_octet_);
   stage_ = Stage::kRead;
   plane_ = round_ = 0;
-  lookout.hidden_count = 0;
+}
+
+/// What the way needs can be seen from no place within reach. If a place elsewhere is known, the vehicle flies there as
+/// far as it gets: the places within reach are the middles of voxels, and plans lead between them, too.
+void LookoutSearch::end_in_vain(const RollingMap& map) noexcept {
+  if (target_ == Target::kGoal) return begin_target(map, Target::kElsewhere, goal_);
+  end(target_ == Target::kWayElsewhere ? LookoutAnswer::kFound : LookoutAnswer::kNoSight);
 }
 
 Progress LookoutSearch::advance(const RollingMap& map, const Tried& tried, Work& work) noexcept {
@@ -93,8 +107,9 @@ void LookoutSearch::read(const RollingMap& map, const Tried& tried, Work& work) 
 }
 
 void LookoutSearch::reach(Work& work) noexcept {
-  wave_.advance(octets_, false, work);
-  places_.take_front(octets_, wave_, work);
+  const bool everywhere = target_ == Target::kElsewhere;
+  wave_.advance(octets_, everywhere, work);
+  places_.take_front(octets_, wave_, everywhere, work);
   if (wave_.is_over || wave_.step * octets_.edge > kFarthestPlace) begin_way(work);
 }
 
@@ -160,7 +175,7 @@ void LookoutSearch::take_way(Work& work) noexcept {
 
 Vec3 LookoutSearch::way_place(const RollingMap& map, std::int32_t at) const noexcept {
   const Grid& route = map.route();
-  if (goal_inside_ && at == way_count_ - 1) return route.to_local(question.goal);
+  if (goal_inside_ && at == way_count_ - 1) return route.to_local(goal_);
   return route.center(octets_.free_voxel(route, octets_.octet(way_[at])));
 }
 
@@ -170,7 +185,8 @@ void LookoutSearch::find_needs(const RollingMap& map, Work& work) noexcept {
   if (at_ < way_count_ && (is_goal || !octets_.bit(octets_.known, octets_.octet(way_[at_])))) {
     const double radius = map.safe().spec().clearance();
     wanted_.add_around(map, way_place(map, at_), radius, at_, share_, work);
-    if (is_goal && question.lands) wanted_.add_site(map, way_place(map, at_), radius, question.ground, at_, work);
+    if (is_goal && question.lands && target_ != Target::kWayElsewhere)
+      wanted_.add_site(map, way_place(map, at_), radius, question.ground, at_, work);
   }
   if (++at_ < way_count_) return;
   if (wanted_.count == 0) return lead_on(map);
@@ -186,9 +202,9 @@ void LookoutSearch::lead_on(const RollingMap& map) noexcept {
   const Grid& safe = map.safe();
   std::int32_t last = way_count_ - 1;
   while (last > 0 && !octets_.bit(octets_.known, octets_.octet(way_[last]))) --last;
-  if (last < kLeastLead) return end(LookoutAnswer::kNoSight);
+  if (last < kLeastLead) return end_in_vain(map);
   lookout.place = safe.spec().origin + safe.center(octets_.free_voxel(safe, octets_.octet(way_[last])));
-  lookout.look = question.goal;
+  lookout.look = goal_;
   const Vec3 way = lookout.look - lookout.place;
   const double flat = horizontal_length(way);
   lookout.heading = flat > octets_.edge ? Heading{way.x / flat, way.y / flat} : question.nose;

@@ -5,6 +5,9 @@
 // places that it can fly to; another one, through open octets as well, finds the way to the goal, and with it the
 // voxels that the way needs. From every place and with two headings, a third of those voxels is tried; the best of
 // these lookouts are judged with all of them.
+//
+// If no place that the vehicle can reach shows what the way needs, the search finds one that would show it, anywhere,
+// and then a lookout for the way to that place.
 #ifndef TERN_LOOKOUT_LOOKOUT_SEARCH_HPP
 #define TERN_LOOKOUT_LOOKOUT_SEARCH_HPP
 
@@ -75,6 +78,14 @@ struct LookoutSearch {
 
  private:
   enum class Stage : std::uint8_t { kRead, kReach, kWay, kNeeds, kRank, kJudge, kOver };
+  /// What the stages look for, in turn: a lookout for the way to the goal, a place anywhere that would be one, and a
+  /// lookout for the way to that place.
+  enum class Target : std::uint8_t { kGoal, kElsewhere, kWayElsewhere };
+  /// How a voxel is seen: in_wide_sight(), in_sight() or in_short_sight().
+  enum class Lines : std::uint8_t { kWide, kThin, kShort };
+  static constexpr int kPasses = 4;
+  static constexpr Lines kRankedWith[kPasses] = {Lines::kThin, Lines::kWide, Lines::kThin, Lines::kShort};
+  static constexpr Lines kJudgedWith[kPasses] = {Lines::kWide, Lines::kWide, Lines::kThin, Lines::kShort};
   /// A place with a heading, and how good it is: seconds until the vehicle is at its goal, compared with other ones.
   struct Candidate {
     std::int32_t place;
@@ -88,6 +99,8 @@ struct LookoutSearch {
     std::int32_t until;  ///< the way is seen up to this place of it
   };
 
+  void begin_target(const RollingMap& map, Target target, const Vec3& goal) noexcept;
+  void end_in_vain(const RollingMap& map) noexcept;
   void read(const RollingMap& map, const Tried& tried, Work& work) noexcept;
   void reach(Work& work) noexcept;
   void begin_way(Work& work) noexcept;
@@ -100,7 +113,7 @@ struct LookoutSearch {
   bool is_worse_than_kept(double cost) const noexcept;
   void judge(const RollingMap& map, const Tried& tried, Work& work) noexcept;
   void conclude_judging(const RollingMap& map) noexcept;
-  void give_up_voxels(const RollingMap& map) noexcept;
+  bool give_up_voxels(const RollingMap& map) noexcept;
   void lead_on(const RollingMap& map) noexcept;
   void end(LookoutAnswer with) noexcept;
 
@@ -108,12 +121,15 @@ struct LookoutSearch {
   Vec3 way_place(const RollingMap& map, std::int32_t at) const noexcept;
   bool aims(const Vec3& place, bool at_all, Heading& heading) const noexcept;
   double seconds_to(std::int32_t place, const Heading& heading) const noexcept;
+  bool sees(const RollingMap& map, const SensorPose& pose, const Vec3& centre, Lines lines, Work& work) const noexcept;
   Sight look(const RollingMap& map, const Tried& tried, const Vec3& place, const Heading& heading, const Vec3& at,
-             std::int32_t stride, bool wide, Work& work) const noexcept;
+             std::int32_t stride, Lines lines, Work& work) const noexcept;
   double cost(const RollingMap& map, const Vec3& place, double seconds, const Sight& sight,
               std::int32_t tested) const noexcept;
 
   Stage stage_;
+  Target target_;
+  Vec3 goal_;  ///< of the way that is sought, world frame
   std::uint64_t* words_;
   std::size_t layer_;
   Octets octets_;
@@ -137,7 +153,7 @@ struct LookoutSearch {
   Candidate finalist_[kFinalists];
   std::int32_t finalists_;
   /// 0: places are ranked with thin lines of sight, and judged with wide ones. 1: ranked with wide ones as well,
-  /// because none of the first finalists saw anything. 2: thin ones have to do.
+  /// because none of the first finalists saw anything. 2: thin ones have to do. 3: short ones.
   int pass_;
   Candidate best_;
   Sight best_sight_;

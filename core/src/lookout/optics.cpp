@@ -105,13 +105,23 @@ bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const 
 }
 
 bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept {
+  const double far = distance(eye, centre);
+  return line_is_free(map, eye, centre, kHalfDiagonal * cell_ + margin_ + margin_square_ * far * far, work);
+}
+
+bool Optics::in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept {
+  return line_is_free(map, eye, centre, 0.0, work);
+}
+
+/// From the eye to `behind` metres behind the centre.
+bool Optics::line_is_free(const RollingMap& map, const Vec3& eye, const Vec3& centre, double behind,
+                          Work& work) const noexcept {
   const Grid& grid = map.route();
   const Vec3 from = grid.to_local(eye);
   const Vec3 to = grid.to_local(centre);
   const Vec3 way = to - from;
   const double far = length(way);
   if (!(far > 0.0)) return true;
-  const double behind = kHalfDiagonal * cell_ + margin_ + margin_square_ * far * far;
   const Vec3 beyond = to + (behind / far) * way;
   const bool is_inside = grid.inside(grid.voxel_of(beyond));
   work.spend(kWholeSight * sight_operations(grid, from, beyond));

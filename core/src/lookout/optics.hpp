@@ -37,9 +37,14 @@ class Optics {
   /// The same for all of the cube: lines to its centre and to four corners of its outline, which is grown by the errors
   /// of the pose. Where a floor is right below a voxel, only flat lines pass.
   bool in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre, Work& work) const noexcept;
+  /// Only up to the cube's centre. A thing that was hit may fill a part of its voxels alone, so that the sensor sees
+  /// past it what the other lines do not.
+  bool in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept;
   bool is_scanner() const noexcept { return is_scanner_; }
 
  private:
+  bool line_is_free(const RollingMap& map, const Vec3& eye, const Vec3& centre, double behind,
+                    Work& work) const noexcept;
   bool in_pyramid(const SensorPose& pose, const Vec3& way, double grown) const noexcept;
   bool in_ring(const SensorPose& pose, const Vec3& way, double grown) const noexcept;
 

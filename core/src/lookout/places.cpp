@@ -37,13 +37,14 @@ void Places::thin(const Octets& octets) noexcept {
   count = kept;
 }
 
-void Places::take_front(const Octets& octets, const Wave& wave, Work& work) noexcept {
+void Places::take_front(const Octets& octets, const Wave& wave, bool everywhere, Work& work) noexcept {
   std::int32_t taken = 0;
   std::uint64_t mask = every(stride());
   for (std::int32_t z = wave.planes.begin; z < wave.planes.end; ++z) {
     for (std::int32_t y = wave.rows.begin; y < wave.rows.end; ++y) {
       if (!is_on_lattice({0, y, z})) continue;
-      std::uint64_t bits = wave.front[octets.row({0, y, z})] & octets.known[octets.row({0, y, z})] & mask;
+      const std::int32_t row = octets.row({0, y, z});
+      std::uint64_t bits = wave.front[row] & (everywhere ? kAllBits : octets.known[row]) & mask;
       for (; bits != 0 && is_on_lattice({0, y, z}); bits &= bits - 1) {  // 64 turns at most
         if (count == kMaxPlaces && level < kLastLevel) {
           thin(octets);

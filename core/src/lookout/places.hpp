@@ -28,8 +28,8 @@ struct Places {
   std::int32_t level;  ///< how often they were thinned
 
   void begin(std::int32_t octet) noexcept;
-  /// Takes what the wave's last step reached.
-  void take_front(const Octets& octets, const Wave& wave, Work& work) noexcept;
+  /// Takes what the wave's last step reached: the known octets of it or, `everywhere`, all of it.
+  void take_front(const Octets& octets, const Wave& wave, bool everywhere, Work& work) noexcept;
 
   /// Octets from one place to the next along x and y, and along z: powers of two.
   std::int32_t stride() const noexcept { return std::int32_t{1} << (level + 1) / 2; }

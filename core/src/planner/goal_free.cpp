@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/goal_free.hpp"
 
+#include <new>
+
 #include "base/math.hpp"
 
 namespace tern {
@@ -13,14 +15,15 @@ constexpr double kGoalStep = 0.04;
 /// s that the goal must be free for at least.
 constexpr double kLeastRest = 1e-2;
 
-void prove_from(double at, const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal) {
+void prove_from(double at, const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal,
+                TrackProof& proof) {
   TrackGrounds resting = grounds;
   resting.leaves = false;
   resting.rest = larger(at - duration(trajectory), 0.0) + larger(grounds.rest, kLeastRest);
   goal.at = at;
   goal.is_proving = true;
-  goal.proof.begin_accepted(trajectory, larger(at, duration(trajectory)), __builtin_inf(), 0.5 * kTrackTolerance,
-                            resting);
+  new (&proof) TrackProof;
+  proof.begin_accepted(trajectory, larger(at, duration(trajectory)), __builtin_inf(), 0.5 * kTrackTolerance, resting);
 }
 
 /// Where to look next; false: the answer is as exact as it gets, or too far away.
@@ -47,16 +50,16 @@ void goal_free_begin(double arrival, GoalFree& goal) noexcept {
   goal.arrival = goal.covered = goal.at = arrival;
 }
 
-Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal,
+Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal, TrackProof& proof,
                            Work& work) noexcept {
   for (int k = 0; k <= kGoalLooks + kGoalHalvings; ++k) {
     if (!goal.is_proving) {
       if (!work.left()) return Progress::kMore;
-      prove_from(goal.at, grounds, trajectory, goal);
+      prove_from(goal.at, grounds, trajectory, goal, proof);
     }
-    if (goal.proof.step(work) == Status::kRunning) return Progress::kMore;
+    if (proof.step(work) == Status::kRunning) return Progress::kMore;
     goal.is_proving = false;
-    const ProofReport& found = goal.proof.report();
+    const ProofReport& found = proof.report();
     if (!look_on(found.finding == Finding::kNone, found.until, goal)) return Progress::kDone;
   }
   return Progress::kDone;

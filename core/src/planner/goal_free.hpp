@@ -27,15 +27,14 @@ struct GoalFree {
   double at = 0.0;       ///< what is being proven
   double covered = 0.0;  ///< the goal is covered soon after
   double free = __builtin_inf();
-  TrackProof proof;
 };
 
 /// `arrival`: when the plan would rest at the goal.
 void goal_free_begin(double arrival, GoalFree& goal) noexcept;
 
 /// Looks for the time, at the end of a trajectory to the goal that begins when the plan does. A piece of work is one of
-/// the proof. kMore or kDone.
-Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal,
+/// the proof, which is memory from call to call. kMore or kDone.
+Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal, TrackProof& proof,
                            Work& work) noexcept;
 
 }  // namespace tern

@@ -253,8 +253,9 @@ Progress Pipeline::look_for_time(Work& work) noexcept {
     if (found != Progress::kFailed || is_known) return found;
     goal_free_begin(arrival_, goal_free_);
   }
-  return goal_free_advance(grounds, trajectory, goal_free_, work) == Progress::kMore ? Progress::kMore
-                                                                                     : Progress::kFailed;
+  TrackProof& proof = memory_->stage.check.at_end;  // no stage needs it now
+  return goal_free_advance(grounds, trajectory, goal_free_, proof, work) == Progress::kMore ? Progress::kMore
+                                                                                            : Progress::kFailed;
 }
 
 /// The current stage has spent its budget. The optimiser then keeps the best plan that it has; other stages fail.

@@ -45,8 +45,11 @@ bool hidden(const DepthPyramid& pyramid, const Cores& cores, int k) {
   return level < pyramid.levels() && pyramid.most(box, level) < cores.far[k / 4][k % 4];
 }
 
-/// True if every pixel that covers cube k of eight measured a depth behind it.
-bool clear(const View& view, const Footprints& feet, int k) {
+/// True if every pixel that covers cube k of eight measured a depth behind it. Rounding outlines outwards to a coarse
+/// level hides too much of what is beside an obstacle: voxels, and all cubes in the wide outlines of a scan's view, are
+/// therefore looked at closely.
+template <std::int32_t kSize>
+bool clear(const View& view, const Footprints& feet, int k, Work& work) {
   const DepthPyramid& pyramid = view.pyramid;
   if (feet.inside[k / 4][k % 4] == 0) return false;
   const PixelBox box = feet.pixels.at(k);
@@ -54,8 +57,10 @@ bool clear(const View& view, const Footprints& feet, int k) {
   if (pyramid.row((box.v0 + box.v1) >> 1)[(box.u0 + box.u1) >> 1] < feet.far[k / 4][k % 4]) return false;
   const std::int32_t level = pyramid.level_for(box);
   if (level < pyramid.levels() && pyramid.least(box, level) >= feet.far[k / 4][k % 4]) return true;
-  // The outlines of a scan's view are wide. Rounding them outwards to a coarse level would hide too much.
-  return view.reach > 0.0 && pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
+  const bool around = view.reach > 0.0;
+  if (kSize > 1 && !around) return false;
+  if (!around) work.spend(kCloseOperations);
+  return pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
 }
 
 /// Carves cubes of a brick.
@@ -92,7 +97,7 @@ struct Carver {
     unsigned left = 0;
     for (int k = 0; k < 8; ++k) {
       if (!chosen[k]) continue;
-      if (clear(view, feet, k)) {
+      if (clear<kSize>(view, feet, k, work)) {
         add<kSize>(free, cubes[k]);
       } else {
         left |= 1u << k;

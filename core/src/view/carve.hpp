@@ -19,6 +19,8 @@ constexpr std::int32_t kBrick = 8;
 constexpr Operations choose_operations(std::int32_t size, bool around) noexcept {
   return 8 * (4 * ops::kWord + (size > 1 ? 3 * ops::kDot + (around ? 2 * ops::kDot : 0) : 0));
 }
+/// Operations of a close look at the pixels of a voxel. In the view of a scan, decide_operations() has them.
+constexpr Operations kCloseOperations = 8 * ops::kDot;
 /// Operations of deciding eight cubes: their outlines and the pixels that cover them. The view of a scan has more of
 /// both.
 constexpr Operations decide_operations(bool around) noexcept {
@@ -28,7 +30,7 @@ constexpr Operations decide_operations(bool around) noexcept {
 constexpr Operations carve_operations(bool around) noexcept {
   constexpr Operations kCubes = 1 + 8 + 64;
   return kCubes * (choose_operations(2, around) + decide_operations(around)) +
-         8 * 64 * (choose_operations(1, around) + decide_operations(around));
+         8 * 64 * (choose_operations(1, around) + decide_operations(around) + (around ? 0 : 8 * kCloseOperations));
 }
 
 /// A word for each row of a brick: [plane][row].

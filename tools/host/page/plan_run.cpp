@@ -8,6 +8,7 @@
 #include "host/page/page.hpp"
 #include "host/page/run_json.hpp"
 #include "host/plan_file.hpp"
+#include "host/track_sample.hpp"
 
 namespace tern_host {
 namespace {
@@ -93,6 +94,50 @@ RunJson stages_json(const PlanResult& result) {
   return stages;
 }
 
+constexpr double kThingStep = 0.1;    ///< seconds between rows of a thing, at least
+constexpr double kThingRows = 600.0;  ///< of a thing, at most
+constexpr double kAlone = 10.0;       ///< seconds that things are shown for without a plan
+
+/// A shape, and rows of place and error; null while it is not there.
+RunJson things_json(const PlanResult& result) {
+  constexpr const char* kShapes[] = {"ball", "cylinder", "box"};
+  const double end = result.ok() ? tern::duration(result.trajectory) : kAlone;
+  const double step = std::max(kThingStep, end / kThingRows);
+  RunJson list = RunJson::array();
+  const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    RunJson rows = RunJson::array();
+    for (double i = 0.0; i <= std::ceil(end / step); i += 1.0) {
+      const TrackSample sample = sample_of(tracks[k], result.scenario.start_time + i * step);
+      RunJson row = RunJson::array();
+      append_point(row, sample.place);
+      row.push_back(rounded(sample.error));
+      rows.push_back(sample.is_there ? row : RunJson(nullptr));
+    }
+    list.push_back({{"name", result.scenario.tracks[k].id},
+                    {"fence", result.scenario.tracks[k].is_fence},
+                    {"shape", kShapes[static_cast<int>(tracks[k].shape)]},
+                    {"radius", rounded(tracks[k].radius)},
+                    {"half", rounded(tracks[k].half)},
+                    {"step", step},
+                    {"rows", rows}});
+  }
+  return list;
+}
+
+/// When each fence for a while holds, s since the plan's beginning; null for one that always does.
+RunJson windows_json(const Scenario& scenario) {
+  RunJson list = RunJson::array();
+  for (const FenceRecord& record : scenario.fences) {
+    const tern::Fence& fence = record.fence;
+    const double wider = fence.kind == tern::FenceKind::kKeepOut ? fence.clock_error : -fence.clock_error;
+    const double from = 1e-9 * static_cast<double>(fence.from) - scenario.start_time - wider;
+    const double until = 1e-9 * static_cast<double>(fence.until) - scenario.start_time + wider;
+    list.push_back(tern::is_timed(fence) ? RunJson({rounded(from), rounded(until)}) : RunJson(nullptr));
+  }
+  return list;
+}
+
 /// Labels and texts, in the order in which they are shown.
 RunJson facts_json(const PlanResult& result) {
   RunJson facts = RunJson::array();
@@ -102,6 +147,7 @@ RunJson facts_json(const PlanResult& result) {
   if (!detail.empty()) add("why", detail);
   add("radius", fixed(result.scenario.radius, 2) + " m");
   add("computed in", fixed(1e-3 * result.timing.total(), 2) + " ms");
+  if (result.ok() && result.report.waits > 0.0) add("waits", fixed(result.report.waits, 2) + " s for what moves");
   if (!result.ok()) return facts;
   const Figures figures = measure(result.trajectory, result.scenario);
   add("duration", fixed(figures.duration, 2) + " s");
@@ -127,6 +173,8 @@ std::string plan_run(const PlanResult& result) {
                  {"keepout", boxes_json(scenario, true)},
                  {"cylinders", RunJson::array()},
                  {"fences", fences_json(scenario.fences)},
+                 {"windows", windows_json(scenario)},
+                 {"things", things_json(result)},
                  {"start", rounded(scenario.start.position)},
                  {"goal", rounded(scenario.goal.position)},
                  {"vias", vias_json(scenario.vias)},

@@ -10,6 +10,7 @@
 #include "host/picture/layout.hpp"
 #include "host/picture/legend.hpp"
 #include "host/picture/lettering.hpp"
+#include "host/picture/moving_view.hpp"
 #include "host/picture/oblique_scene.hpp"
 #include "host/plan_file.hpp"
 
@@ -145,6 +146,7 @@ std::vector<LegendEntry> world_entries(const Scenario& scenario, WorldLegend leg
     entries.push_back(area_entry("inflated by the radius", "class=\"inflated\"", 7.0));
   }
   if (has_fence(scenario.fences, tern::FenceKind::kKeepIn)) entries.push_back(keepin_entry());
+  for (const LegendEntry& entry : thing_entries(scenario)) entries.push_back(entry);
   if (!scenario.vias.empty()) entries.push_back(dot_entry("vias", 6.0, "class=\"via\""));
   return entries;
 }

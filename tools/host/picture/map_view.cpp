@@ -11,6 +11,7 @@
 #include "host/picture/heading_view.hpp"
 #include "host/picture/legend.hpp"
 #include "host/picture/merged_blocks.hpp"
+#include "host/picture/moving_view.hpp"
 #include "host/picture/outline.hpp"
 
 namespace tern_host {
@@ -231,6 +232,7 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
   draw_grid(canvas, axes);
   draw_obstacles(canvas, axes, projection, result.scenario);
   draw_corridor(canvas, axes, projection, result);
+  draw_things(canvas, result, [&](const Vec3& p) { return view.world(p); });
   canvas.end_group();
   // Below what may lie on the frame: the boundary belongs to free space.
   draw_frame(canvas, axes, axis_title(projection.horizontal), axis_title(projection.vertical));

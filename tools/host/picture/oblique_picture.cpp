@@ -13,6 +13,7 @@
 #include "host/picture/layout.hpp"
 #include "host/picture/legend.hpp"
 #include "host/picture/lettering.hpp"
+#include "host/picture/moving_view.hpp"
 #include "host/picture/oblique_scene.hpp"
 #include "host/picture/picture.hpp"
 #include "host/plan_file.hpp"
@@ -152,6 +153,9 @@ void draw_plan(Canvas& canvas, const PlanResult& result, const ObliqueScene& sce
   scene.draw_blocks(canvas);
   scene.draw_fences(canvas, tern::FenceKind::kKeepOut, "class=\"keepout\" opacity=\"0.6\"");
   scene.draw_fences(canvas, tern::FenceKind::kKeepIn, "class=\"keepin\"");
+  canvas.begin_clipped(frame);
+  draw_things(canvas, result, [&](const tern::Vec3& p) { return camera.project(p); });
+  canvas.end_group();
   if (result.ok()) {
     draw_shadow(canvas, points, scene, camera, result.scenario.boundary.lower.z);
     draw_flight(canvas, points, camera);

@@ -1,0 +1,195 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fences for a while: boxes, oblique half-spaces and slabs, some of them keep-ins, and a checker of their own. It looks
+// at instants between those at which a fence begins or ends, and proves what lies between by how fast the plan is.
+#include "attack/windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tern_attack {
+namespace {
+
+using tern::Fence;
+using tern::FenceKind;
+using tern::Halfspace;
+
+/// s: what rounding of times to nanoseconds may do to a window.
+constexpr Real kInstant = 2e-9L;
+
+Real window_begin(const Fence& fence, const tern::Trajectory& plan) {
+  const Real later = fence.kind == FenceKind::kKeepIn ? fence.clock_error : -fence.clock_error;
+  return (static_cast<Real>(fence.from) - static_cast<Real>(plan.begin)) * 1e-9L + later;
+}
+
+Real window_end(const Fence& fence, const tern::Trajectory& plan) {
+  const Real later = fence.kind == FenceKind::kKeepIn ? fence.clock_error : -fence.clock_error;
+  return (static_cast<Real>(fence.until) - static_cast<Real>(plan.begin)) * 1e-9L - later;
+}
+
+/// How far a place is beyond a plane, by its unit normal. `p`: relative to `origin`.
+Real beyond(const Halfspace& plane, const Point& p, const Point& origin) {
+  const Point n = point(plane.normal);
+  return (dot(n, p) + dot(n, origin) - plane.offset) / std::sqrt(dot(n, n));
+}
+
+/// Of the shapes that are made here: the distance from a keep-out, or how far a place is inside a keep-in.
+Real room_of(const Fence& fence, const Point& p, const Point& origin) {
+  Real most = -1e18L;
+  Real square = 0;
+  for (int k = 0; k < fence.count; ++k) {
+    const Real out = beyond(fence.planes[k], p, origin);
+    most = std::max(most, out);
+    if (out > 0) square += out * out;
+  }
+  if (fence.kind == FenceKind::kKeepIn) return -most;
+  return most > 0 ? std::sqrt(square) : most;
+}
+
+Point place_at(const tern::Trajectory& plan, Real t) {
+  constexpr Real kBinomial[] = {1, 7, 21, 35, 35, 21, 7, 1};
+  int s = 0;
+  while (s + 1 < plan.count && t > plan.segments[s].duration) t -= plan.segments[s++].duration;
+  const Real u = std::min<Real>(1, std::max<Real>(0, t / plan.segments[s].duration));
+  Point sum = point({0.0, 0.0, 0.0});
+  for (int i = 0; i < tern::kControlPoints; ++i) {
+    const Real weight = kBinomial[i] * std::pow(u, static_cast<Real>(i)) * std::pow(1 - u, static_cast<Real>(7 - i));
+    for (int a = 0; a < 3; ++a) sum[a] += weight * axis(plan.segments[s].points[i], a);
+  }
+  return sum;
+}
+
+Real fastest(const tern::Trajectory& plan) {
+  Real most = 0;
+  for (int s = 0; s < plan.count; ++s) {
+    for (int i = 0; i < tern::kDegree; ++i) {
+      const Point step = point(plan.segments[s].points[i + 1]) - point(plan.segments[s].points[i]);
+      most = std::max(most, tern::kDegree * std::sqrt(dot(step, step)) / plan.segments[s].duration);
+    }
+  }
+  return most;
+}
+
+struct Held {
+  const tern::Request& request;
+  const tern::Trajectory& plan;
+  Real radius;
+
+  /// The least room at a time that is no instant of change.
+  Real room(Real t) const {
+    const Point p = place_at(plan, t);
+    const Point origin = point(plan.origin);
+    Real least = 1e18L;
+    Real inside = -1e18L;
+    bool has_keep_in = false;
+    for (int k = 0; k < request.fence_count; ++k) {
+      const Fence& fence = request.fences[k];
+      if (!tern::is_timed(fence)) continue;
+      const bool keeps_in = fence.kind == FenceKind::kKeepIn;
+      has_keep_in = has_keep_in || keeps_in;
+      if (t < window_begin(fence, plan) || t > window_end(fence, plan)) continue;
+      const Real room = room_of(fence, p, origin);
+      if (keeps_in) inside = std::max(inside, room);
+      if (!keeps_in) least = std::min(least, room - radius);
+    }
+    return has_keep_in ? std::min(least, inside) : least;
+  }
+
+  /// False if there is less room than -`slack` between two instants of change.
+  bool holds(Real begin, Real end, Real slack, Real& when) const {
+    constexpr int kMostPieces = 20000;
+    const Real change = fastest(plan);
+    struct Piece {
+      Real begin, end;
+    };
+    std::vector<Piece> open{{begin, end}};
+    for (int pieces = 0; !open.empty() && pieces < kMostPieces; ++pieces) {
+      const Piece piece = open.back();
+      open.pop_back();
+      const Real half = (piece.end - piece.begin) / 2;
+      when = piece.begin + half;
+      const Real found = room(when);
+      if (found < -slack) return false;
+      if (found - change * half >= -slack || half < 1e-7L) continue;
+      open.push_back({when, piece.end});
+      open.push_back({piece.begin, when});
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
+void TimedFences::add(Rng& rng, const World& world, tern::Request& request) {
+  const tern::Vec3& from = request.start.position;
+  const tern::Vec3& to = request.goal.position;
+  const double size = std::max(1.0, 10.0 * world.spec.cell);
+  fences.assign(request.fences, request.fences + request.fence_count);
+  int used = 0;
+  for (const Fence& fence : fences) used += fence.count;
+  const bool has_keep_ins = rng.chance(0.4);
+  const int wanted = rng.integer(1, 3);
+  for (int k = 0; k < wanted; ++k) {
+    const bool keeps_in = has_keep_ins && k > 0;
+    const bool is_box = keeps_in || rng.chance(0.5);
+    const int count = is_box ? tern::kBoxPlanes : rng.integer(1, 2);
+    if (static_cast<int>(fences.size()) == tern::kMaxFences || used + count > tern::kMaxFencePlanes) break;
+    used += count;
+    std::vector<Halfspace>& of = planes.emplace_back(static_cast<std::size_t>(count));
+    const double share = rng.real(-0.1, 1.1);
+    tern::Vec3 at{};
+    tern::Box box{};
+    tern::Vec3 normal{rng.real(-1.0, 1.0), rng.real(-1.0, 1.0), rng.real(0.1, 1.0)};
+    for (int a = 0; a < 3; ++a) {
+      axis(at, a) = axis(from, a) + share * (axis(to, a) - axis(from, a)) + 0.3 * size * rng.real(-1.0, 1.0);
+      const double half = (keeps_in ? 2.0 : 0.2) * size * rng.real(0.2, 1.0);
+      axis(box.lower, a) = axis(at, a) - half;
+      axis(box.upper, a) = axis(at, a) + half;
+    }
+    if (keeps_in && rng.chance(0.5)) {
+      for (int a = 0; a < 3; ++a) {
+        axis(box.lower, a) = std::min(axis(box.lower, a), std::min(axis(from, a), axis(to, a)) - 0.1);
+        axis(box.upper, a) = std::max(axis(box.upper, a), std::max(axis(from, a), axis(to, a)) + 0.1);
+      }
+    }
+    if (is_box) {
+      Halfspace faces[tern::kBoxPlanes];
+      tern::box_planes(box, faces);
+      of.assign(faces, faces + tern::kBoxPlanes);
+    }
+    const double offset = normal.x * at.x + normal.y * at.y + normal.z * at.z;
+    if (!is_box) of[0] = {normal, offset};
+    if (!is_box && count == 2) of[1] = {{-normal.x, -normal.y, -normal.z}, 0.1 * size - offset};
+    Fence fence{of.data(), count, keeps_in ? FenceKind::kKeepIn : FenceKind::kKeepOut};
+    fence.from = request.begin + static_cast<std::int64_t>((keeps_in ? -5e9 : 0.0) + 8e9 * rng.real(-1.0, 1.0));
+    fence.until = fence.from + static_cast<std::int64_t>(rng.spread(1e7, keeps_in ? 1e12 : 2e10));
+    fence.clock_error = rng.chance(0.5) ? 0.0 : rng.real(0.0, 0.5);
+    fences.push_back(fence);
+  }
+  request.fences = fences.data();
+  request.fence_count = static_cast<std::int32_t>(fences.size());
+}
+
+void check_windows(const World& world, const tern::Request& request, const tern::Trajectory& plan, double until,
+                   const char* what, Findings& findings) {
+  constexpr Real kSlack = 1e-8L;  // a plan is granted 2 nm, and any other curve 4
+  std::vector<Real> times{0, until * (1 - 1e-13L)};
+  for (int k = 0; k < request.fence_count; ++k) {
+    if (!tern::is_timed(request.fences[k])) continue;
+    for (const Real time : {window_begin(request.fences[k], plan), window_end(request.fences[k], plan)}) {
+      if (time > 0 && time < times[1]) times.push_back(time);
+    }
+  }
+  std::sort(times.begin(), times.end());
+  const Held held{request, plan, world.radius()};
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    if (times[i] + 2 * kInstant >= times[i + 1] - 2 * kInstant) continue;
+    Real when = 0;
+    if (held.holds(times[i] + kInstant, times[i + 1] - kInstant, kSlack, when)) continue;
+    report(findings, "window", "%s: %.3Lg m too far after %.9Lf s of %.9f", what, -held.room(when), when, until);
+    return;
+  }
+}
+
+}  // namespace tern_attack

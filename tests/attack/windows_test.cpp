@@ -1,0 +1,65 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The checker of fences for a while finds what is broken, and nothing else.
+#include "attack/windows.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tern_attack {
+namespace {
+
+/// 4 m along x in 2 s, beside a wall at x = 2 .. 2.5 for a while; the radius is 0.5 m.
+class Windows : public testing::Test {
+ protected:
+  Windows() {
+    world_.spec.radius = 0.5;
+    plan_.count = 1;
+    plan_.segments[0].duration = 2.0;
+    for (int k = 0; k < tern::kControlPoints; ++k) plan_.segments[0].points[k] = {4.0 * k / 7.0, 0.0, 0.0};
+    tern::box_planes({{2.0, -1.0, -1.0}, {2.5, 1.0, 1.0}}, wall_);
+    tern::box_planes({{-1.0, -1.0, -1.0}, {3.0, 1.0, 1.0}}, room_);
+  }
+
+  bool broken(tern::FenceKind kind, double from, double until, double clock_error = 0.0) {
+    tern::Fence fence{kind == tern::FenceKind::kKeepIn ? room_ : wall_, tern::kBoxPlanes, kind};
+    fence.from = static_cast<std::int64_t>(from * 1e9);
+    fence.until = static_cast<std::int64_t>(until * 1e9);
+    fence.clock_error = clock_error;
+    tern::Request request;
+    request.fences = &fence;
+    request.fence_count = 1;
+    Findings findings;
+    check_windows(world_, request, plan_, until_, "plan", findings);
+    return !findings.empty();
+  }
+
+  World world_;
+  tern::Trajectory plan_{};
+  double until_ = 2.0;
+  tern::Halfspace wall_[tern::kBoxPlanes];
+  tern::Halfspace room_[tern::kBoxPlanes];
+};
+
+/// The plan is too near to the wall from 0.75 s to 1.5 s.
+TEST_F(Windows, KeepOut) {
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, 0.0, 2.0));
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, 0.0, 0.7501));
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, 1.4999, 2.0));
+  EXPECT_FALSE(broken(tern::FenceKind::kKeepOut, 0.0, 0.75));
+  EXPECT_FALSE(broken(tern::FenceKind::kKeepOut, 1.5, 2.0));
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, 1.51, 2.0, 0.02));
+}
+
+/// The plan leaves the room after 2 s; it is 1 m too far then.
+TEST_F(Windows, KeepIn) {
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepIn, -1.0, 3.0));
+  until_ = 1.5;
+  EXPECT_FALSE(broken(tern::FenceKind::kKeepIn, -1.0, 3.0));
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepIn, 0.001, 3.0));
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepIn, -1.0, 1.4));
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepIn, -1.0, 3.0, 1.001));
+}
+
+}  // namespace
+}  // namespace tern_attack

@@ -1,0 +1,90 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plans among things that move where something degenerates: from behind, head-on, in a tunnel, at the goal. Each plan
+// is proven in exact numbers, and is no longer than it should be.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "host/plan_file.hpp"
+#include "host/scenario.hpp"
+#include "host/session.hpp"
+#include "verify/plan.hpp"
+#include "verify/proofs.hpp"
+
+namespace tern_verify {
+namespace {
+
+const std::string kRoom =
+    "boundary 0 0 0 20 10 3\nresolution 0.2\nradius 0.3\nv_max 2.5 2.5 1.5\na_max 4 4 3\ngoal 18 5 1.5\nrest_clear 1\n";
+const std::string kStart = "start 2 5 1.5\n";
+/// 1.6 x 1.4 m around the way.
+const std::string kTunnel = "block 4 0 0 16 4.2 3\nblock 4 5.8 0 16 10 3\nblock 4 4 2.2 16 6 3\nblock 4 4 0 16 6 0.8\n";
+/// Seconds that a plan without things takes here.
+constexpr double kAlone = 7.81;
+
+std::string ball(const std::string& place, const std::string& velocity = "0 0 0") {
+  return "track a ball 0.3 at " + place + " velocity " + velocity + " error 0.05 0.02 0";
+}
+
+struct Answer {
+  tern::Status status = tern::Status::kOk;
+  double seconds = 0.0;
+};
+
+/// What is not refused is proven.
+Answer plan(const std::string& records) {
+  static tern_host::Session session;
+  const std::string text = kRoom + records + "\n";
+  const tern_host::PlanResult result = session.plan(tern_host::parse_scenario(text, "case"));
+  if (!result.ok()) return {result.report.status, 0.0};
+  const Claims claims = prove(parse_problem(text, "case"), parse_plan(tern_host::plan_json(result), "plan"));
+  EXPECT_EQ(verdict_of(claims), Verdict::kProven) << records;
+  return {result.report.status, tern::duration(result.trajectory)};
+}
+
+void expect_within(double most, const std::string& records) {
+  const Answer answer = plan(records);
+  EXPECT_EQ(answer.status, tern::Status::kOk) << records;
+  EXPECT_LE(answer.seconds, most) << records;
+}
+
+TEST(MovingCases, InTheOpen) {
+  expect_within(kAlone, kStart);
+  expect_within(kAlone, kStart + ball("2 2 1.5", "0 1 0"));  // over the start after 3 s
+  expect_within(1.01 * kAlone, kStart + ball("18 5 1.5", "-1 0 0"));
+  expect_within(1.01 * kAlone, kStart + ball("18 5 1.5", "-1 0 0") + " until 9 stays");
+  expect_within(16.5, kStart + ball("18 5 1.5") + " until 15 gone");
+}
+
+TEST(MovingCases, WallsWithAGapInPlaceOrTime) {
+  expect_within(1.01 * kAlone, kStart + "track a box 0.3 4.5 3 at 10 -5 1.5 velocity 0 1 0 error 0.05 0.02 0\n" +
+                                   "track b box 0.3 5 3 at 10 6.6 1.5 velocity 0 1 0 error 0.05 0.02 0");
+  expect_within(kAlone, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 0 3");
+  expect_within(14.0, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 2 9");
+  expect_within(35.2, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 0 30");
+  expect_within(14.0, kStart + "keepout_halfspaces 1 0.2 0 12 -1 -0.2 0 -10 during 2 9");
+  expect_within(12.0, kStart + "keepin 0 0 0 11 10 3 during -1 20\nkeepin 9 0 0 20 10 3 during 8 60");
+}
+
+TEST(MovingCases, Tunnels) {
+  expect_within(kAlone, kTunnel + kStart + ball("15 5 1.5", "1 0 0"));
+  EXPECT_EQ(plan(kTunnel + kStart + ball("10 5 1.5")).status, tern::Status::kNoClearTime);
+  // The plan may wait outside, or back out of it; if it finds neither, it says why.
+  for (const char* const start : {"start 2 5 1.5\n", "start 8 5 1.5\n"}) {
+    const Answer answer = plan(kTunnel + start + ball("15 5 1.5", "-1 0 0"));
+    EXPECT_TRUE(answer.status == tern::Status::kOk || answer.status == tern::Status::kNoClearTime);
+  }
+}
+
+/// Something is in the way for good, or drives the vehicle before it.
+TEST(MovingCases, NoWayOut) {
+  EXPECT_EQ(plan(kStart + ball("2.3 5 1.5")).status, tern::Status::kStartInContact);
+  EXPECT_EQ(plan(kStart + ball("2.3 5 1.5", "1 0 0")).status, tern::Status::kStartInContact);
+  EXPECT_EQ(plan(kStart + ball("18 5 1.5")).status, tern::Status::kGoalCovered);
+  EXPECT_EQ(plan(kStart + "keepin 0 0 0 11 10 3 during -1 200").status, tern::Status::kGoalCovered);
+}
+
+}  // namespace
+}  // namespace tern_verify

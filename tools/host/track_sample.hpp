@@ -1,0 +1,31 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where things that move are thought to be, for pictures. Nothing is proven with it.
+#ifndef TERN_HOST_TRACK_SAMPLE_HPP
+#define TERN_HOST_TRACK_SAMPLE_HPP
+
+#include <vector>
+
+#include "tern/track.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern_host {
+
+/// A thing at a time.
+struct TrackSample {
+  bool is_there = false;
+  tern::Vec3 place{};  ///< of its centre, world frame
+  double error = 0.0;  ///< m; with a reach, that of the smaller tube
+};
+
+/// `time`: s of the clock that the track is on.
+TrackSample sample_of(const tern::Track& track, double time);
+
+/// Points on the surface of the shape about a place, grown by the error: its corners, or points on its rims or all
+/// round.
+std::vector<tern::Vec3> surface_of(const tern::Track& track, const TrackSample& sample);
+
+}  // namespace tern_host
+
+#endif
