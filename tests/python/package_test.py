@@ -115,6 +115,42 @@ class Plans(unittest.TestCase):
         self.assertLess(np.linalg.norm(path - via.position, axis=1).min(), 0.06)
         self.assertFalse(self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[high]))  # shuts the gap
 
+    def test_things_that_move(self):
+        alone = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS).trajectory
+        place = alone.evaluate(alone.duration / 2).position
+        crossing = tern.Track(place - (0, 0, alone.duration / 4), (0, 0, 0.5), radius=0.2, error=0.05)
+        result = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, tracks=[crossing])
+        self.assertTrue(result)
+        times = np.linspace(0, result.trajectory.duration, 1000)
+        path = result.trajectory.evaluate(times).position
+        there = np.asarray(crossing.position) + times[:, None] * np.asarray(crossing.velocity)
+        self.assertGreater(np.linalg.norm(path - there, axis=1).min(), 0.25 + self.grid.radius - 1e-6)
+        self.assertEqual(result.report.rest_clear_until, np.inf)
+        self.assertIsNone(result.report.track)
+        # A box at the goal until 200 s, and another vehicle's plan that ends there.
+        parked = tern.Track((9, 1, 1), shape="box", half=(0.5, 0.5, 0.5), until=200 * 10**9, end="gone")
+        report = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, tracks=[crossing, parked]).report
+        self.assertEqual((report.status, report.track), ("goal_covered", 1))
+        self.assertAlmostEqual(report.goal_free, 200.0, delta=0.01)
+        other = tern.Track.of(alone, 0.2, error=0.1)
+        self.assertEqual((len(other.pieces), other.end), (alone.struct.count, "goes on"))
+        report = self.planner.plan(self.grid, (2, 3, 1), (9, 1, 1), LIMITS, tracks=[other], rest_clear=2.0).report
+        self.assertEqual((report.status, report.goal_free), ("goal_covered", np.inf))
+        report = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, tracks=[tern.Track((0, 0, 0), radius=-1)]).report
+        self.assertEqual((report.status, report.field, report.track), ("invalid_argument", "tracks", 0))
+        with self.assertRaisesRegex(ValueError, "piece 0 of track 0"):
+            bent = tern.Track((0, 0, 0), pieces=[(1.0, [(0, 0, 0)])])
+            self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, tracks=[bent])
+
+    def test_fences_for_a_while(self):
+        ns = 10**9
+        wall = tern.Fence.box((2, 6.5, -1), (8, 9, 9), keep_out=True, begin=0, until=20 * ns, clock_error=1.0)
+        result = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[wall])
+        self.assertGreater(result.report.waits, 10.0)
+        room = tern.Fence.box((-1, -1, -1), (11, 9, 9), begin=-ns, until=ns)
+        report = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[room]).report
+        self.assertEqual((report.status, report.fence, report.track), ("goal_covered", 0, None))
+
     def test_a_fence_that_is_wrong_is_named(self):
         good = tern.Fence.box((-1, -1, -1), (11, 9, 4))
         nan = tern.Fence([(np.nan, 0, 0)], [1.0])

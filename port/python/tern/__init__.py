@@ -12,12 +12,13 @@ from tern.flight import Command, Flight, RollingMap, Tick
 from tern.grid import Grid
 from tern.planner import Planner, Polyhedron, Report, Result, clear_until
 from tern.request import Fence, Limits, State, Via
+from tern.track import Track
 from tern.trajectory import Samples, Trajectory
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Command", "Fence", "Flight", "Grid", "Limits", "Planner", "Polyhedron", "Report", "Result", "RollingMap",
-    "Samples", "Setpoint", "State", "TernError", "Tick", "Trajectory", "Via", "YawPlan", "clear_until",
-    "crazyflie_compressed", "crazyflie_raw", "mavlink_setpoint", "plan_yaw", "setpoint_error", "setpoint_ned",
+    "Samples", "Setpoint", "State", "TernError", "Tick", "Track", "Trajectory", "Via", "YawPlan",
+    "clear_until", "crazyflie_compressed", "crazyflie_raw", "mavlink_setpoint", "plan_yaw", "setpoint_error", "setpoint_ned",
 ]

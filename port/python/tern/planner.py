@@ -11,6 +11,7 @@ import numpy as np
 from tern._library import HEADER_HASH, ffi, lib, require, status_name, triple, view, voxel, words
 from tern.grid import Grid
 from tern.request import CRequest, End, Fence, Limits, Via, c_fences, c_vias, state
+from tern.track import Track, c_tracks
 from tern.trajectory import Trajectory
 
 STAGE = np.dtype([("work", "u8"), ("bound", "u8"), ("ticks", "u8")])
@@ -52,6 +53,33 @@ class Report:
     def fence(self) -> int | None:
         """The index of the fence that is wrong, or that start, via or goal breaks; or None."""
         return self.struct.fence if self.struct.fence >= 0 else None
+
+    @property
+    def track(self) -> int | None:
+        """The index of the track that is wrong, that is in the way, or that the plan begins too near to and leaves; or
+        None."""
+        return self.struct.track if self.struct.track >= 0 else None
+
+    @property
+    def conflict(self) -> float:
+        """When the first plan meets what is in the way, seconds since its beginning: for "start_in_contact",
+        "goal_covered" and "no_clear_time"."""
+        return self.struct.conflict
+
+    @property
+    def goal_free(self) -> float:
+        """From when on the plan could rest at a goal that is covered, seconds since its beginning; or infinity."""
+        return self.struct.goal_free
+
+    @property
+    def rest_clear_until(self) -> float:
+        """Until when the plan's end is clear of what moves, seconds since the trajectory's beginning; or infinity."""
+        return self.struct.rest_clear_until
+
+    @property
+    def waits(self) -> float:
+        """Seconds that the plan rests before it sets out, for what moves."""
+        return self.struct.waits
 
     @property
     def quality(self) -> str:
@@ -128,19 +156,22 @@ class Planner:
 
     def plan(self, grid: Grid, start: End, goal: End, limits: Limits, *, time_weight: float | None = None,
              fences: Sequence[Fence] = (), vias: Sequence[Via] = (), goal_mode: str = "exact", search: str = "fast",
-             previous: Trajectory | None = None, previous_time: float = 0.0, begin: int = 0) -> Result:
+             previous: Trajectory | None = None, previous_time: float = 0.0, begin: int = 0,
+             tracks: Sequence[Track] = (), rest_clear: float = 0.0) -> Result:
         """Plans from start to goal. Both are a State, or a position to be at rest at. World frame, SI units.
 
         time_weight: duration against smoothness, 0.001 .. 1e6. goal_mode: "exact", or "nearest" to end as near to the
         goal as possible. search: "fast" or "optimal". previous: the plan that is being flown, with start its state at
         previous_time; see replan(). begin: when the plan begins, in nanoseconds of a clock of yours; the plan carries
-        it. The grid must be inflated.
+        it. tracks: things that move, which the plan is proven clear of; for rest_clear seconds at its end, too. The grid
+        must be inflated.
         """
-        request = self._request(start, goal, limits, fences, vias, previous)
+        request = self._request(start, goal, limits, fences, vias, tracks, previous)
         request.struct.goal_mode = _GOAL_MODES.index(goal_mode)
         request.struct.search = _SEARCHES.index(search)
         request.struct.previous_time = previous_time
         request.struct.begin = begin
+        request.struct.rest_clear = rest_clear
         if time_weight is not None:
             request.struct.time_weight = time_weight
         trajectory, report = Trajectory(), ffi.new("tern_report*")
@@ -179,7 +210,7 @@ class Planner:
         return Polyhedron(planes[:, :3], planes[:, 3] + planes[:, :3] @ self._origin, *world)
 
     @staticmethod
-    def _request(start, goal, limits, fences, vias, previous):
+    def _request(start, goal, limits, fences, vias, tracks, previous):
         struct = ffi.new("tern_request*")
         lib.tern_request_init(struct)
         kept = [previous]
@@ -188,6 +219,7 @@ class Planner:
         struct.limits = limits.fields()
         struct.fences, struct.fence_count = c_fences(fences, kept), len(fences)
         struct.vias, struct.via_count = c_vias(vias, kept), len(vias)
+        struct.tracks, struct.track_count = c_tracks(tracks, kept), len(tracks)
         struct.previous = previous.struct if previous is not None else ffi.NULL
         return CRequest(struct, kept)
 

@@ -102,16 +102,21 @@ class Limits:
 @dataclass(frozen=True)
 class Fence:
     """A convex geofence: the points p with normals @ p <= offsets. World frame, metres. keep_out: the plan stays outside
-    of it, with the radius to spare; otherwise inside."""
+    of it, with the radius to spare; otherwise inside. begin, until: of a fence for a while, nanoseconds of the clock of
+    Planner.plan's `begin`; clock_error: by how much its clock may be off, seconds. If begin and until are equal, it
+    always holds."""
     normals: Sequence[Sequence[float]]
     offsets: Sequence[float]
     keep_out: bool = False
+    begin: int = 0
+    until: int = 0
+    clock_error: float = 0.0
 
     @classmethod
-    def box(cls, lower: Sequence[float], upper: Sequence[float], keep_out: bool = False) -> "Fence":
-        """A fence that is a box."""
+    def box(cls, lower: Sequence[float], upper: Sequence[float], keep_out: bool = False, **times) -> "Fence":
+        """A fence that is a box. times: begin, until and clock_error."""
         normals = np.vstack([np.eye(3), -np.eye(3)])
-        return cls(normals, np.concatenate([np.asarray(upper, float), -np.asarray(lower, float)]), keep_out)
+        return cls(normals, np.concatenate([np.asarray(upper, float), -np.asarray(lower, float)]), keep_out, **times)
 
 
 @dataclass(frozen=True)
@@ -141,7 +146,8 @@ def c_fences(fences: Sequence[Fence], kept: list):
         planes = ffi.new("tern_halfspace[]", [{"normal": vector(n), "offset": float(o)}
                                               for n, o in zip(fence.normals, fence.offsets)])
         kept.append(planes)
-        out[i] = {"planes": planes, "count": len(planes), "kind": int(fence.keep_out)}
+        out[i] = {"planes": planes, "count": len(planes), "kind": int(fence.keep_out),
+                  "from": fence.begin, "until": fence.until, "clock_error": fence.clock_error}
     kept.append(out)
     return out
 
