@@ -76,6 +76,7 @@
   FIELD(tern_diagnostics, search_used)
 
 #define TERN_LAYOUT_FLIGHT(FIELD)                                                                                    \
+  FIELD(tern_unseen_voxel, center) FIELD(tern_unseen_voxel, views) FIELD(tern_unseen_voxel, directions)                \
   FIELD(tern_flight_refusal, field) FIELD(tern_flight_refusal, fence)                                                  \
   FIELD(tern_flight_refusal, blocked_by) FIELD(tern_flight_refusal, blocked_at)                                        \
   FIELD(tern_flight_refusal, distance) FIELD(tern_flight_refusal, needed)                                              \

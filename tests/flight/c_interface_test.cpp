@@ -326,6 +326,16 @@ TEST(FlightC, ARefusalSaysWhatIsWrong) {
   EXPECT_EQ(refusal.fence, tern::kNoFence);
 }
 
+TEST(FlightC, NothingWasLookedAtInVain) {
+  FlightInC c;
+  ASSERT_EQ(c.begin(), kOk);
+  tern_unseen_voxel voxel{{1.0, 2.0, 3.0}, 7, {}};
+  EXPECT_EQ(tern_flight_looked_in_vain(&c.flight, &voxel, 1), 0);
+  EXPECT_EQ(voxel.views, 7);
+  EXPECT_EQ(tern_flight_looked_in_vain(&c.flight, nullptr, 1), 0);
+  EXPECT_EQ(tern_flight_looked_in_vain(nullptr, &voxel, 1), 0);
+}
+
 TEST(FlightC, TimeMustNotFall) {
   FlightInC c;
   ASSERT_EQ(c.begin(), kOk);

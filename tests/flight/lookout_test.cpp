@@ -161,6 +161,37 @@ TEST(FlightLookout, RemembersWhatItDidNotSee) {
   EXPECT_EQ(room.look().tried.kept_voxels(), smaller(room.look().search.lookout.hidden_count, kTriedVoxels));
 }
 
+/// The caller may ask what was looked at in vain, and from where, until there is a new goal.
+TEST(FlightLookout, TellsWhatWasLookedAtInVain) {
+  Stuck room;
+  EXPECT_EQ(room.flight.looked_in_vain(nullptr, 0), 0);
+  room.search();
+  room.follow(0);
+  room.follow(4 * kSecond);
+  room.follow(1);
+  const Viewpoint& lookout = room.look().search.lookout;
+  const std::int32_t count = room.flight.looked_in_vain(nullptr, 0);
+  ASSERT_EQ(count, smaller(lookout.hidden_count, kTriedVoxels));
+  ASSERT_GT(count, 1);
+  UnseenVoxel found[kTriedVoxels];
+  found[1].views = -1;
+  EXPECT_EQ(room.flight.looked_in_vain(found, 1), count);
+  EXPECT_EQ(found[1].views, -1);
+  EXPECT_EQ(room.flight.looked_in_vain(found, kTriedVoxels), count);
+  for (std::int32_t k = 0; k < count; ++k) {
+    EXPECT_EQ(found[k].views, 1);
+    EXPECT_TRUE(is_unseen_at(room.map(), found[k].center));
+    const Vec3 way = found[k].center - lookout.place;
+    EXPECT_NEAR(dot(found[k].directions[0], way), length(way), 1e-12);
+  }
+  room.set_seen(true);
+  EXPECT_EQ(room.flight.looked_in_vain(nullptr, 0), 0);
+  room.set_seen(false);
+  EXPECT_EQ(room.flight.set_goal(kGoal), Status::kOk);
+  EXPECT_EQ(room.flight.looked_in_vain(nullptr, 0), 0);
+  EXPECT_EQ(Flight().looked_in_vain(found, kTriedVoxels), 0);
+}
+
 /// Without frames, a look ends after four seconds.
 TEST(FlightLookout, LooksForFourSecondsAtMost) {
   Stuck room;

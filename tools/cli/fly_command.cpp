@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -103,6 +104,15 @@ void print_mission(const tern_host::FlightResult& result) {
   }
 }
 
+/// How many voxels were looked at and not seen, and the one that was looked at most often.
+void print_in_vain(const std::vector<tern::UnseenVoxel>& voxels) {
+  if (voxels.empty()) return;
+  const auto less = [](const tern::UnseenVoxel& a, const tern::UnseenVoxel& b) { return a.views < b.views; };
+  const tern::UnseenVoxel& most = *std::max_element(voxels.begin(), voxels.end(), less);
+  std::printf("looked in vain at %zu voxels, most often (%d times) at %.2f %.2f %.2f\n", voxels.size(), most.views,
+              most.center.x, most.center.y, most.center.z);
+}
+
 void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& result) {
   const double mean = result.time > 0.0 ? result.length / result.time : 0.0;
   std::printf("%s after %.2f s, %.2f m, %.2f m/s on average\n", result.status.c_str(), result.time, result.length,
@@ -110,6 +120,7 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
   if (!result.reached()) std::printf("why: %s\n", result.reason.c_str());
   if (result.blocked_by != tern::BlockedBy::kNothing) std::printf("in the way: %s\n", result.blocked().c_str());
   if (result.narrow.axis != 0) std::printf("too narrow: %s\n", result.narrow.text().c_str());
+  if (!result.reached()) print_in_vain(result.looked_in_vain);
   if (!world.vias.empty()) print_mission(result);
   if (result.view_wait > 0.0) std::printf("the field of view slowed the flight for %.2f s\n", result.view_wait);
   std::printf("least clearance %.3f m\n", result.min_clearance);

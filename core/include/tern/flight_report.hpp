@@ -73,6 +73,17 @@ enum class FlightReason : uint8_t {
   kGroundUneven,    ///< it cannot land: the ground there is not flat, or something is on it or above it
 };
 
+/// The views of a voxel that are remembered: the last ones.
+constexpr int32_t kRememberedViews = 4;
+/// A voxel that the vehicle looked at in vain.
+struct UnseenVoxel {
+  Vec3 center;  ///< world frame
+  /// How often it was looked at, and the last directions from which: unit vectors from the lookout to the voxel, of
+  /// which min(views, kRememberedViews) are set, in no order.
+  int32_t views;
+  Vec3 directions[kRememberedViews];
+};
+
 /// What became of a point of a mission.
 enum class PointState : uint8_t {
   kAhead = 0,

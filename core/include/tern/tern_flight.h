@@ -19,6 +19,7 @@
 typedef tern::FlightSensor tern_flight_sensor;
 typedef tern::FlightSpec tern_flight_spec;
 typedef tern::FlightRefusal tern_flight_refusal;
+typedef tern::UnseenVoxel tern_unseen_voxel;
 typedef tern::FlightReport tern_flight_report;
 typedef tern::FlightYaw tern_flight_yaw;
 typedef tern::Command tern_command;
@@ -44,6 +45,10 @@ typedef struct {
   uint8_t blocked_by; /* TERN_BLOCKED_BY_... */
   tern_vec3 blocked_at; double distance, needed; /* metres */
 } tern_flight_refusal;
+/* A voxel that was looked at in vain: tern::UnseenVoxel. */
+typedef struct {
+  tern_vec3 center; int32_t views; tern_vec3 directions[4];
+} tern_unseen_voxel;
 /* What one tick did: tern::FlightReport. */
 typedef struct {
   uint8_t mode, reason, plan;
@@ -166,6 +171,8 @@ uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, int
 uint8_t tern_flight_land(tern_flight* flight, const tern_vec3* place, double ground, double speed);
 /* What became of a point of the mission. */
 uint8_t tern_flight_point_state(const tern_flight* flight, int32_t point);
+/* The voxels that were looked at in vain: writes the first `capacity` of them, and returns how many there are. */
+int32_t tern_flight_looked_in_vain(const tern_flight* flight, tern_unseen_voxel* voxels, int32_t capacity);
 /* Comes to rest and forgets the goal. */
 uint8_t tern_flight_stop(tern_flight* flight);
 /* One tick's work; `t` in nanoseconds. `report` may be null. ok; clock_behind if `t` is before the last tick's, and

@@ -90,6 +90,10 @@ PointState Flight::point_state(int32_t point) const noexcept {
   return exists ? state_->facts.itinerary.state[point] : PointState::kAhead;
 }
 
+int32_t Flight::looked_in_vain(UnseenVoxel* voxels, int32_t capacity) const noexcept {
+  return state_ == nullptr ? 0 : state_->lookouts.tried.list_unseen(state_->facts.map, voxels, capacity);
+}
+
 Status Flight::set_yaw(const FlightYaw& yaw) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   const Status status = state_->nose.check(state_->facts.spec, yaw);

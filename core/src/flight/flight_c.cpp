@@ -81,6 +81,10 @@ std::uint8_t tern_flight_point_state(const tern_flight* flight, std::int32_t poi
   return static_cast<std::uint8_t>(object(flight).point_state(point));
 }
 
+std::int32_t tern_flight_looked_in_vain(const tern_flight* flight, tern_unseen_voxel* voxels, std::int32_t capacity) {
+  return object(flight).looked_in_vain(voxels, voxels == nullptr ? 0 : capacity);
+}
+
 std::uint8_t tern_flight_stop(tern_flight* flight) {
   return code(object(flight).stop());
 }

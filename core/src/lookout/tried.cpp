@@ -20,7 +20,7 @@ constexpr double kSameLookout = 2.5;
 bool TriedVoxel::was_tried_from(const Vec3& place) const noexcept {
   const Vec3 way = centre - place;
   const double least = kSameDirection * length(way);
-  const std::int32_t kept = directions < kTriedDirections ? directions : kTriedDirections;
+  const std::int32_t kept = directions < kRememberedViews ? directions : kRememberedViews;
   for (std::int32_t k = 0; k < kept; ++k) {
     if (dot(way, direction[k]) > least) return true;
   }
@@ -38,7 +38,7 @@ void Tried::note_voxel(const Vec3& centre, const Vec3& from, double cell) noexce
     voxel[entry].directions = 0;
   }
   TriedVoxel& tried = voxel[entry];
-  tried.direction[tried.directions++ % kTriedDirections] = (1.0 / far) * way;
+  tried.direction[tried.directions++ % kRememberedViews] = (1.0 / far) * way;
 }
 
 void Tried::note_failure(const Vec3& place, const Vec3& look) noexcept {
@@ -67,6 +67,22 @@ std::int32_t Tried::most_tried(const RollingMap& map) const noexcept {
     if (best < 0 || voxel[k].directions > voxel[best].directions) best = k;
   }
   return best;
+}
+
+std::int32_t Tried::list_unseen(const RollingMap& map, UnseenVoxel* list, std::int32_t capacity) const noexcept {
+  std::int32_t count = 0;
+  for (std::int32_t k = 0; k < kept_voxels(); ++k) {
+    const TriedVoxel& tried = voxel[k];
+    if (!is_unseen_at(map, tried.centre)) continue;
+    if (count < capacity) {
+      UnseenVoxel& out = list[count];
+      out = {tried.centre, tried.directions, {}};
+      for (std::int32_t n = 0; n < tried.directions && n < kRememberedViews; ++n)
+        out.directions[n] = tried.direction[n];
+    }
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace tern

@@ -9,21 +9,21 @@
 
 #include <cstdint>
 
+#include "tern/flight_report.hpp"
 #include "tern/map.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
 
-/// Voxels, directions of each, and lookouts that are remembered. New ones take the place of the oldest.
+/// Voxels and lookouts that are remembered. New ones take the place of the oldest.
 constexpr std::int32_t kTriedVoxels = 64;
-constexpr std::int32_t kTriedDirections = 4;
 constexpr std::int32_t kFailedLookouts = 16;
 /// So many directions make a voxel hopeless.
 constexpr std::int32_t kHopelessAfter = 3;
 
 struct TriedVoxel {
   Vec3 centre;                       ///< world frame
-  Vec3 direction[kTriedDirections];  ///< unit vectors from the lookout to the voxel
+  Vec3 direction[kRememberedViews];  ///< unit vectors from the lookout to the voxel
   std::int32_t directions;           ///< how often it was tried
 
   bool is_hopeless() const noexcept { return directions >= kHopelessAfter; }
@@ -54,6 +54,8 @@ struct Tried {
   std::int32_t kept_voxels() const noexcept { return voxels < kTriedVoxels ? voxels : kTriedVoxels; }
   /// The voxel that was looked at from the most directions, of those that are still unseen: its entry, or negative.
   std::int32_t most_tried(const RollingMap& map) const noexcept;
+  /// Writes the first `capacity` of the voxels that are still unseen, and returns how many there are.
+  std::int32_t list_unseen(const RollingMap& map, UnseenVoxel* list, std::int32_t capacity) const noexcept;
 };
 
 }  // namespace tern

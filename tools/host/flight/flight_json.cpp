@@ -133,6 +133,18 @@ Json blocked_json(const FlightResult& result) {
   return blocked;
 }
 
+Json in_vain_json(const std::vector<tern::UnseenVoxel>& voxels) {
+  Json all = Json::array();
+  for (const tern::UnseenVoxel& v : voxels) {
+    Json directions = Json::array();
+    for (std::int32_t k = 0; k < std::min(v.views, tern::kRememberedViews); ++k) {
+      directions.push_back({v.directions[k].x, v.directions[k].y, v.directions[k].z});
+    }
+    all.push_back({{"at", {v.center.x, v.center.y, v.center.z}}, {"views", v.views}, {"directions", directions}});
+  }
+  return all;
+}
+
 Json mission_json(const std::vector<MissionPoint>& points) {
   Json all = Json::array();
   for (const MissionPoint& p : points) {
@@ -186,6 +198,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
   if (column.radius > 0.0) json["column"] = {column.base.z, column.radius, column.height};
   if (world.landing.speed > 0.0) json["land"] = {world.landing.ground, world.landing.speed};
   if (result.blocked_by != tern::BlockedBy::kNothing) json["blocked"] = blocked_json(result);
+  if (!result.reached() && !result.looked_in_vain.empty()) json["looked_in_vain"] = in_vain_json(result.looked_in_vain);
   if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);
   if (result.contact.happened) json["contact"] = contact_json(result.contact);

@@ -67,6 +67,8 @@ class Simulation {
     result.blocked_by = report_.blocked_by;
     result.blocked_at = report_.blocked_at;
     result.blocked_fence = report_.blocked_fence;
+    result.looked_in_vain.resize(static_cast<std::size_t>(flight_.looked_in_vain(nullptr, 0)));
+    flight_.looked_in_vain(result.looked_in_vain.data(), static_cast<std::int32_t>(result.looked_in_vain.size()));
     result.narrow = narrow_place(map_.safe(), report_, flight_.rest_position());
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();

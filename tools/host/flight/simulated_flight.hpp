@@ -68,8 +68,9 @@ struct FlightResult {
   tern::BlockedBy blocked_by = tern::BlockedBy::kNothing;  ///< at the end, as tern::FlightReport says,
   tern::Vec3 blocked_at{};                                 ///< and where
   std::int32_t blocked_fence = tern::kNoFence;
-  NarrowPlace narrow;  ///< beside a voxel that is in the way
-  double time = 0.0;   ///< seconds
+  std::vector<tern::UnseenVoxel> looked_in_vain;  ///< at the end, as tern::Flight says
+  NarrowPlace narrow;                             ///< beside a voxel that is in the way
+  double time = 0.0;                              ///< seconds
   double length = 0.0;
   double min_clearance = 0.0;
   double tracking_max = 0.0, tracking_rms = 0.0;  ///< of where the vehicle believes to be, off the command, metres
