@@ -46,6 +46,8 @@ static void print_marks(const tern::HighWater& mark) {
   std::printf("| active rows | %d | %d |\n", mark.active, tern::kMaxActive);
   std::printf("| iterations of a programme | %d | %d |\n", mark.qp_iterations, tern::kMaxQpIterations);
   std::printf("| programmes | %d | %d |\n", mark.qp_solves, tern::kMaxQpSolves);
+  std::printf("| planes off things | %d | %d |\n", mark.separations, tern::kMaxSeparations);
+  std::printf("| words of a flood in time | %d | %d |\n", mark.flood_words, tern::kMaxFloodWords);
 }
 
 int main() {

@@ -66,6 +66,7 @@
   FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \
   FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
+  FIELD(tern_high_water, separations) FIELD(tern_high_water, flood_words) FIELD(tern_diagnostics, seed)              \
   FIELD(tern_report, status) FIELD(tern_report, stage) FIELD(tern_report, field) FIELD(tern_report, raw_occupied)    \
   FIELD(tern_report, has_nearest_free) FIELD(tern_report, quality)                  \
   FIELD(tern_report, optimiser) FIELD(tern_report, entered) FIELD(tern_report, nearest_free)                         \

@@ -77,8 +77,13 @@ class Scenes : public testing::Test {
 TEST_F(Scenes, WhatComesHeadOnIsPassed) {
   const double alone = plan({});
   ASSERT_GT(alone, 7.0);
+  EXPECT_EQ(world_.report.diagnostics.seed, 0);
+  EXPECT_EQ(world_.report.diagnostics.high_water.separations, 0);
   const double passed = plan({ball({18.0, 5.0, 1.5}, {-1.0, 0.0, 0.0})});
   EXPECT_GT(passed, 0.0);
+  EXPECT_EQ(world_.report.diagnostics.seed, 1);
+  EXPECT_GT(world_.report.diagnostics.high_water.separations, 0);
+  EXPECT_EQ(world_.report.diagnostics.high_water.flood_words, 0);
   EXPECT_LT(passed, 1.02 * alone);
   Track stops = ball({18.0, 5.0, 1.5}, {-1.0, 0.0, 0.0});
   stops.end = TrackEnd::kStays;
@@ -108,6 +113,9 @@ TEST_F(Scenes, AGoalThatIsCoveredIsReachedAfterwards) {
   const double arrives = plan({parked});
   EXPECT_GE(arrives, 15.0);
   EXPECT_LT(arrives, 17.0);
+  EXPECT_GE(world_.report.diagnostics.seed, 2);
+  EXPECT_GT(world_.report.diagnostics.high_water.flood_words, 0);
+  EXPECT_LE(world_.report.diagnostics.high_water.flood_words, tern::kMaxFloodWords);
 }
 
 TEST_F(Scenes, AWayThatClosesForAWhileIsWaitedFor) {

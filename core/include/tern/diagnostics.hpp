@@ -46,6 +46,10 @@ struct HighWater {
   int32_t qp_iterations;
   /// Quadratic programmes solved for one corridor; of TERN_MAX_QP_SOLVES.
   int32_t qp_solves;
+  /// Planes between a plan and things that move; of TERN_MAX_SEPARATIONS.
+  int32_t separations;
+  /// Words of the largest flood in time; of TERN_MAX_FLOOD_WORDS.
+  int32_t flood_words;
 };
 
 /// Which search found the path.
@@ -72,6 +76,9 @@ struct Diagnostics {
   ///   motion, it begins that motion from rest. Or one curve leads straight from start to goal
   /// - 3, previous plan: the plan goes on along Request::previous
   int32_t detours;
+  /// What a plan around things that move began from: 1 the plan as if nothing moved, 2 and more a flood in time. 0 for
+  /// all other plans.
+  int32_t seed;
   /// The cost of the path over the grid, divided by a proven lower bound of the least cost. So the path costs at most
   /// this many times the least possible, up to rounding; most paths cost much less. 1 for the optimal search, and if no
   /// search was needed; 0 without a path.

@@ -169,7 +169,8 @@ typedef struct { double time, distance; } tern_via_passage;
 /* The work of one stage, the highest use of each capacity, and all diagnostics of a plan: tern/diagnostics.hpp. */
 typedef struct { uint64_t work, bound, ticks; } tern_stage_report;
 typedef struct {
-  int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
+  int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves, separations,
+      flood_words;
 } tern_high_water;
 typedef struct {
   /* request, search, shortcut, corridor, times, trajectory, check, world, detour, previous, stop_first, reach, tracks */
@@ -177,6 +178,7 @@ typedef struct {
   bool timing_known; /* the ticks were measured */
   tern_high_water high_water;
   int32_t detours;     /* 0 none, 1 detour, 2 stop first, 3 previous plan */
+  int32_t seed;        /* of a plan around things that move: 1 the plan as if nothing moved, 2 and more a flood */
   double search_bound; /* cost of the path over a lower bound of the least cost; 0 without a path */
   uint8_t search_used; /* 0 none, 1 the guided search, 2 the optimal search */
 } tern_diagnostics;

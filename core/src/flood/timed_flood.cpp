@@ -277,6 +277,10 @@ Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& 
   return Status::kRunning;
 }
 
+std::int32_t words_of(const TimedFlood& flood) noexcept {
+  return flood.lattice.words * (kOtherLayers + 2 * (flood.layers + 1));
+}
+
 Progress timed_flood_advance(TimedFlood& flood, const Grid& grid, Work& work) noexcept {
   for (std::uint64_t piece = 0; piece < kFloodPieces; ++piece) {
     if (flood.phase == FloodPhase::kEnd) return Progress::kDone;

@@ -43,10 +43,16 @@ struct Around {
   Status lacking = Status::kOk;  ///< a capacity that did not suffice
   bool is_flooding = false;      ///< the stage `tracks` looks for a way
   bool is_last = false;          ///< what is checked now is the answer, if it is clear
-  int seed = 0;                  ///< floods that were begun
+  std::int32_t seed = 0;         ///< floods that were begun
   double alone = 0.0;            ///< s that the plan as if nothing moved takes
   double found = 0.0;            ///< s that the plan in the first corridor takes; 0: there is none
 };
+
+/// As Diagnostics::seed, for the plan in memory.
+constexpr std::int32_t seed_of(const Around& around) noexcept {
+  if (!around.is_active) return 0;
+  return around.is_last ? 1 : 1 + around.seed;
+}
 
 /// True if there is a corridor and a plan of this quality to begin from.
 constexpr bool may_lead_around(Quality quality, bool has_corridor) noexcept {

@@ -70,13 +70,14 @@ void Pipeline::next_seed() noexcept {
   const int most = around.found > 0.0 ? kFastSeeds : kTimedSeeds;
   const double longest = around.found > 0.0 ? around.found : kLongestFlood * around.alone;
   while (may_flood(problem_) && around.seed < most && !around.is_last) {
-    const int seed = around.seed++;
+    const std::int32_t seed = around.seed++;
     const Status status =
         timed_seed_begin(problem_, memory.ends, memory.stops[0], seed, longest, memory.stage.flood, memory.around.way);
     if (status != Status::kRunning) {
       if (around.lacking == Status::kOk) around.lacking = status;
       continue;
     }
+    raise(flood_words_, words_of(memory.stage.flood));
     around.is_flooding = true;
     return enter(Stage::kTracks);
   }

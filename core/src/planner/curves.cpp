@@ -38,6 +38,7 @@ Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& traject
   raise(curves.iterations_high, stage.longest_solve);
   raise(curves.solves_high, stage.solves);
   if (progress == Progress::kMore) return progress;
+  if (stage.query.scene != nullptr) raise(curves.separations_high, stage.separations.count);
   curves.status = stage.status;
   curves.quality = stage.quality;
   curves.optimiser = curves.stop_and_go ? curves.refused : stage.optimiser;

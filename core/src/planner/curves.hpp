@@ -58,6 +58,7 @@ struct Curves {
   std::int32_t iterations_high;
   std::int32_t solves_high;
   std::int32_t segments_high;
+  std::int32_t separations_high;
 };
 
 /// Moves the corridor into the plan's frame and cuts it into a chain, for times_advance() to give it durations.

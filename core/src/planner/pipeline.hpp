@@ -121,8 +121,9 @@ class Pipeline {
   Quality quality_ = Quality::kNone;  // of the trajectory in memory
   Status optimiser_ = Status::kOk;    // how optimising that trajectory ended
   Results results_{};
-  bool segments_full_ = false;  // an attempt had too many segments
-  Operations begun_ = 0;        // what beginnings took, and no slice has paid yet
+  std::int32_t flood_words_ = 0;  // of the largest flood in time
+  bool segments_full_ = false;    // an attempt had too many segments
+  Operations begun_ = 0;          // what beginnings took, and no slice has paid yet
   Ledger ledger_{};
 };
 

@@ -29,10 +29,20 @@ void write_failure(const Failure& failure, Status status, Report& report) {
   report.fence = failure.end.solid;
 }
 
-HighWater high_water(const Legs& legs, const Rooms& rooms, const Curves& curves, bool segments_full) {
+HighWater high_water(const Legs& legs, const Rooms& rooms, const Curves& curves, bool segments_full,
+                     std::int32_t flood_words) {
   const std::int32_t segments = segments_full ? kMaxSegments : most(legs.segments_high, curves.segments_high);
-  return {legs.nodes_high,        legs.open_high,     legs.jump_points_high,  segments,          rooms.planes_high,
-          rooms.local_boxes_high, curves.active_high, curves.iterations_high, curves.solves_high};
+  return {legs.nodes_high,
+          legs.open_high,
+          legs.jump_points_high,
+          segments,
+          rooms.planes_high,
+          rooms.local_boxes_high,
+          curves.active_high,
+          curves.iterations_high,
+          curves.solves_high,
+          curves.separations_high,
+          flood_words};
 }
 
 }  // namespace
@@ -65,9 +75,10 @@ void Pipeline::write(Report& report) const noexcept {
   report.goal_missed = attempts_.nearest.goal_missed;
   Diagnostics& diagnostics = report.diagnostics;
   diagnostics.detours = detours_of(attempts_.current);
+  diagnostics.seed = planned ? seed_of(attempts_.around) : 0;
   diagnostics.search_bound = legs_.search_bound;
   diagnostics.search_used = legs_.search_used;
-  diagnostics.high_water = high_water(legs_, rooms_, curves_, segments_full_);
+  diagnostics.high_water = high_water(legs_, rooms_, curves_, segments_full_, flood_words_);
   ledger_.write(diagnostics);
 }
 
