@@ -4,6 +4,7 @@
 // Scenes among things that move: each has an answer that is known, to within what a planner may lose.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 #include "support/world.hpp"
@@ -171,6 +172,50 @@ TEST_F(Scenes, ViasArePassedAmongThings) {
   const double among = plan({ball({10.0, 2.0, 1.5}, {0.0, 1.2, 0.0}), ball({14.0, 10.6, 1.5}, {0.0, -0.6, 0.0})});
   EXPECT_GT(among, 0.0);
   EXPECT_LT(among, 1.3 * alone);
+}
+
+/// A plan around things, replanned on its way: it arrives no later, whether the rest of it is kept or not.
+TEST_F(Scenes, ReplansArriveNoLater) {
+  std::vector<Track> tracks{ball({10.0, 1.0, 1.5}, {0.0, 1.0, 0.0}), ball({18.0, 5.0, 1.5}, {-1.0, 0.0, 0.0}),
+                            ball({14.0, 9.0, 1.5}, {0.0, -0.6, 0.0})};
+  Track parked = ball({18.0, 5.0, 1.5}, {0.0, 0.0, 0.0});
+  parked.end = TrackEnd::kGone;
+  int kept = 0;
+  for (const int covered : {0, 12}) {
+    parked.until = covered * kSecond;
+    if (covered > 0) tracks = {parked};
+    world_.from({2.0, 5.0, 1.5});
+    world_.request.begin = 0;
+    const double whole = plan(tracks);
+    ASSERT_GT(whole, 0.0);
+    const auto previous = std::make_unique<tern::Trajectory>(world_.trajectory);
+    for (int step = 1; step < 6; ++step) {
+      const double time = 1.0 * step;
+      const tern::Sample now = tern::evaluate(*previous, time);
+      world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+      world_.request.previous = previous.get();
+      world_.request.previous_time = time;
+      world_.request.begin = step * kSecond;
+      world_.request.tracks = tracks.data();
+      world_.request.track_count = static_cast<std::int32_t>(tracks.size());
+      ASSERT_EQ(world_.plan(), Status::kOk) << covered << " " << step;
+      const double left = tern::duration(world_.trajectory) - world_.report.entered;
+      EXPECT_LE(left, whole - time + 1e-6) << covered << " " << step;
+      kept += world_.report.quality == tern::Quality::kPrevious ? 1 : 0;
+      tern::TrackGrounds grounds;
+      grounds.tracks = tracks.data();
+      grounds.count = world_.request.track_count;
+      grounds.radius = world_.spec.radius;
+      grounds.rest = 1.0;
+      grounds.leaves = true;
+      tern::ProofReport found;
+      tern::clear_until(world_.trajectory, world_.report.entered, grounds, &found);
+      EXPECT_EQ(found.finding, tern::Finding::kNone) << covered << " " << step;
+    }
+    world_.request.previous = nullptr;
+    world_.request.start = {};
+  }
+  EXPECT_GT(kept, 0);
 }
 
 }  // namespace

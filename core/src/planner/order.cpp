@@ -163,6 +163,7 @@ void Pipeline::take_plan() noexcept {
     return;
   }
   optimiser_ = Status::kOk;
+  attempts_.around = {};
   enter(Stage::kPrevious);
 }
 
