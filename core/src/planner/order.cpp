@@ -249,7 +249,8 @@ void Pipeline::fail(Stage stage, Status status) noexcept {
   segments_full_ = segments_full_ || status == Status::kSegmentsFull;
   const bool is_first = attempts_.stop_first.tries == 0 && !memory_->previous.tried;
   const bool has_none = failure_.status == Status::kOk;  // so that no failure ends as a success
-  if (is_first || has_none || lacks_room(status)) failure_ = {stage, status, via_at_fault(stage, legs_, rooms_), legs_.fault};
+  if (is_first || has_none || lacks_room(status))
+    failure_ = {stage, status, via_at_fault(stage, legs_, rooms_), legs_.fault};
   const bool is_direct = attempts_.current == Attempt::kDirect;
   if (is_direct && stage == Stage::kTrajectory && detour_may_help(problem_, attempts_.detour)) {
     enter(Stage::kDetour);
