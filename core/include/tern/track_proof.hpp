@@ -55,8 +55,9 @@ class TrackProof {
   void enter_track(int32_t track) noexcept;
   bool enter_next() noexcept;
   bool is_far() const noexcept;
+  bool is_beside() const noexcept;
   void next_stretch(Work& work) noexcept;
-  bool load(Time to) noexcept;
+  bool load(Time to, Work& work) noexcept;
   void load_curve(Time to, Vec3* points) const noexcept;
   void look_at_start() noexcept;
   void look_at_piece(Work& work) noexcept;

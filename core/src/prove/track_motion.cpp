@@ -154,6 +154,15 @@ void move_thing(const Track& track, const Vec3& origin, const TrackTimes& times,
   }
 }
 
+void sketch_motion(const Track& track, const Vec3& origin, double from, double to, ThingMotion& motion) noexcept {
+  const Vec3 base = base_of(track, origin);
+  motion.points[0] = base + from * track.velocity;
+  motion.points[kDegree] = base + to * track.velocity;
+  motion.error[0] = error_after(track, from);
+  motion.error[kDegree] = error_after(track, to);
+  motion.size = sum_of_sizes(base) + (absolute(from) + absolute(to)) * sum_of_sizes(track.velocity);
+}
+
 Vec3 first_place(const Track& track, const Vec3& origin) noexcept {
   return track.piece_count == 0 ? base_of(track, origin) : base_of(track, origin) + track.pieces[0].points[0];
 }

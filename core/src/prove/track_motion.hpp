@@ -61,6 +61,10 @@ struct ThingMotion {
 void move_thing(const Track& track, const Vec3& origin, const TrackTimes& times, const TrackSpan& span,
                 const DoubleDouble& at, const DoubleDouble& to, ThingMotion& motion) noexcept;
 
+/// Of a thing that keeps its velocity: the first and the last of these points and of its error, in doubles alone.
+/// `from` and `to`: s since Track::measured. The size covers the rounding, as above.
+void sketch_motion(const Track& track, const Vec3& origin, double from, double to, ThingMotion& motion) noexcept;
+
 /// The place at Track::measured, relative to `origin`.
 Vec3 first_place(const Track& track, const Vec3& origin) noexcept;
 

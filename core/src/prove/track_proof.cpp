@@ -39,16 +39,18 @@ bool is_sound(const Trajectory& trajectory) {
   return finite(trajectory.origin);
 }
 
-Box box_of(const Trajectory& trajectory) {
-  Box box{trajectory.segments[0].points[0], trajectory.segments[0].points[0]};
-  for (int i = 0; i < trajectory.count; ++i) {
-    for (const Vec3& point : trajectory.segments[i].points) {
-      for (int a = 0; a < 3; ++a) {
-        axis(box.lower, a) = smaller(axis(box.lower, a), axis(point, a));
-        axis(box.upper, a) = larger(axis(box.upper, a), axis(point, a));
-      }
+void take_in(const Segment& segment, Box& box) {
+  for (const Vec3& point : segment.points) {
+    for (int a = 0; a < 3; ++a) {
+      axis(box.lower, a) = smaller(axis(box.lower, a), axis(point, a));
+      axis(box.upper, a) = larger(axis(box.upper, a), axis(point, a));
     }
   }
+}
+
+Box box_of(const Trajectory& trajectory) {
+  Box box{trajectory.segments[0].points[0], trajectory.segments[0].points[0]};
+  for (int i = 0; i < trajectory.count; ++i) take_in(trajectory.segments[i], box);
   return box;
 }
 
@@ -144,6 +146,21 @@ bool TrackProof::is_far() const noexcept {
   return are_apart(thing, motion, reach, bounds_);
 }
 
+/// True if the box around the segment, or around the end, is apart from all that a thing without pieces may reach from
+/// at_ to to_, while it moves.
+bool TrackProof::is_beside() const noexcept {
+  const Track& thing = grounds_.tracks[track_];
+  if (thing.piece_count > 0) return false;
+  const DoubleDouble measured = seconds(measured_);
+  ThingMotion motion;
+  sketch_motion(thing, trajectory_->origin, (seconds(at_) - measured).high, (seconds(to_) - measured).high, motion);
+  const bool rests = segment_ == trajectory_->count;
+  const Segment& segment = trajectory_->segments[rests ? segment_ - 1 : segment_];
+  Box box{segment.points[kDegree], segment.points[kDegree]};
+  if (!rests) take_in(segment, box);
+  return are_apart(thing, motion, motion.error[kDegree] + (grounds_.radius + ball_of(thing)), box);
+}
+
 /// Goes on to the next stretch that something is to be proven of.
 void TrackProof::next_stretch(Work& work) noexcept {
   work.spend(ops::kPiece);
@@ -170,8 +187,7 @@ void TrackProof::next_stretch(Work& work) noexcept {
   }
   const DoubleDouble leave = seconds(from_) + DoubleDouble(kLeaveTime);
   if (grounds_.leaves && at < leave) to = earlier(to, leave);
-  work.spend(4 * ops::kCurve);
-  is_open_ = load({to.high, to.low});
+  is_open_ = load({to.high, to.low}, work);
   if (!is_open_) pass();
 }
 
@@ -186,7 +202,7 @@ void TrackProof::load_curve(Time to, Vec3* points) const noexcept {
 }
 
 /// Loads the tubes from at_ to `to`, or to the end of the track's span. True if the curve is near all of them.
-bool TrackProof::load(Time to) noexcept {
+bool TrackProof::load(Time to, Work& work) noexcept {
   const Track& thing = grounds_.tracks[track_];
   const TrackTimes times{seconds(measured_), seconds(until_)};
   const DoubleDouble at = seconds(at_);
@@ -197,6 +213,9 @@ bool TrackProof::load(Time to) noexcept {
   piece_begin_ = {span.begin.high, span.begin.low};
   number_ = depth_ = looked_at_ = 0;
   if (span.kind == SpanKind::kAbsent) return false;
+  work.spend(2 * ops::kPiece);
+  if (span.kind == SpanKind::kMoves && is_beside()) return false;
+  work.spend(4 * ops::kCurve);
 
   Vec3 points[kControlPoints];
   load_curve({end.high, end.low}, points);
