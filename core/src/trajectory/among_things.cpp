@@ -10,7 +10,7 @@ namespace tern {
 void ask_among_things(const TrajectoryStage& stage, Question& question) noexcept {
   question.paced = true;
   question.lengthening = kLengtheningAmongThings;
-  question.lengthenings = stage.turns > 0 ? 0 : kLengtheningsAmongThings;
+  question.feasibility_rounds = stage.turns > 0 ? 0 : kRoundsAmongThings;
 }
 
 bool is_short_enough(const TrajectoryStage& stage) noexcept {

@@ -20,7 +20,7 @@ constexpr int kPlaneTurns = 2;
 constexpr double kWorthATurn = 0.005;
 /// A plan is not made much longer for want of a solution: that moves it in time, and meets other things.
 constexpr double kLengtheningAmongThings = 1.08;
-constexpr int kLengtheningsAmongThings = 2;
+constexpr int kRoundsAmongThings = 2;
 
 /// A plan that lasts longer than the reference by more than this factor follows a thing instead of passing it.
 constexpr double kLongestAmongThings = 1.6;

@@ -188,7 +188,7 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
     retime(refinement, chain);
     return;
   }
-  if (refinement.round >= refinement.lengthenings) return enter(refinement, RefinementPhase::kDone);
+  if (refinement.round >= refinement.feasibility_rounds) return enter(refinement, RefinementPhase::kDone);
   for (int i = 0; i < chain.count; ++i) {
     refinement.base[i] = refinement.lengthening * refinement.base[i];
     chain.duration[i] = refinement.base[i];
@@ -245,7 +245,7 @@ void refinement_begin(Refinement& refinement, const Chain& chain, const Question
   enter(refinement, RefinementPhase::kFeasibility);
   refinement.elastic = question.elastic;
   refinement.lengthening = question.lengthening;
-  refinement.lengthenings = question.lengthenings;
+  refinement.feasibility_rounds = question.feasibility_rounds;
   refinement.last_rung = rung_of(question.weight);
   refinement.first_rung = question.paced ? refinement.last_rung : -rungs_below(question.agility);
   refinement.rung = refinement.first_rung;

@@ -54,13 +54,13 @@ struct Question {
   bool elastic;    ///< plans may be stretched: start and goal are at rest
   bool paced;      ///< the first durations are those of an earlier plan for that weight
   double lengthening = kLengthening;
-  int lengthenings = kFeasibilityRounds;
+  int feasibility_rounds = kFeasibilityRounds;
 };
 
 struct Refinement {
   RefinementPhase phase;
   double lengthening;           ///< of a round of the feasibility phase
-  int lengthenings;             ///< the most of them
+  int feasibility_rounds;       ///< the most of that phase
   bool elastic;                 ///< plans may be stretched: from rest to rest
   int round;                    ///< rounds of this phase, or of this rung of the descent
   int failures;                 ///< steps of this rung that failed
