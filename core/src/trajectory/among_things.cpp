@@ -13,6 +13,10 @@ void ask_among_things(const TrajectoryStage& stage, Question& question) noexcept
   question.feasibility_rounds = stage.turns > 0 ? 0 : kRoundsAmongThings;
 }
 
+bool takes_too_long(const TrajectoryStage& stage) noexcept {
+  return stage.query.scene != nullptr && stage.solver.iterations >= kIterationsAmongThings;
+}
+
 bool is_short_enough(const TrajectoryStage& stage) noexcept {
   if (stage.query.scene == nullptr) return true;
   const Trajectory& reference = *stage.query.scene->reference;

@@ -25,6 +25,13 @@ constexpr int kRoundsAmongThings = 2;
 /// A plan that lasts longer than the reference by more than this factor follows a thing instead of passing it.
 constexpr double kLongestAmongThings = 1.6;
 
+/// A programme among things that takes more iterations has no solution, nearly always.
+constexpr int kIterationsAmongThings = 300;
+
+/// True if the programme is among things, and has taken that many.
+bool takes_too_long(const TrajectoryStage& stage) noexcept;
+
+/// False for a plan among things that lasts too long.
 bool is_short_enough(const TrajectoryStage& stage) noexcept;
 
 void ask_among_things(const TrajectoryStage& stage, Question& question) noexcept;

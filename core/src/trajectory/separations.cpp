@@ -9,7 +9,7 @@ namespace tern {
 namespace {
 
 /// A plane is added at once if the reference keeps less than this much more than the needed distance, in parts of it.
-constexpr double kTrust = 0.75;
+constexpr double kTrust = 0.3;
 
 TimedCurve curve_at(const Chain& chain, const Scene& scene, const Vec3 (*points)[kControlPoints], int segment) {
   return {points[segment], begin_of(chain, scene, segment), chain.duration[segment]};

@@ -101,8 +101,8 @@ Status solve_on(TrajectoryStage& stage, Work& work) {
   const Status status = qp_advance(stage.solver, stage.problem, work, stage.solution, stride);
   const int used = stage.solver.iterations - before;
   note_iterations(stage, used);
-  if (status != Status::kRunning || used < stride || !hopeless(stage)) return status;
-  return Status::kIterationLimit;
+  if (status != Status::kRunning) return status;
+  return takes_too_long(stage) || (used == stride && hopeless(stage)) ? Status::kIterationLimit : status;
 }
 
 /// Runs the solver within the slice. False if the slice is used up.
