@@ -16,10 +16,10 @@ namespace {
 
 using tern_host::Scenario;
 
-const std::string kRoom = "boundary 0 0 0 12 8 3\nradius 0.3\nstart 1 4 1.5\ngoal 11 4 1.5\n";
+const std::string kAmongRoom = "boundary 0 0 0 12 8 3\nradius 0.3\nstart 1 4 1.5\ngoal 11 4 1.5\n";
 
 Scenario parse(const std::string& records) {
-  return tern_host::parse_scenario(kRoom + records, "room.txt");
+  return tern_host::parse_scenario(kAmongRoom + records, "room.txt");
 }
 
 void expect_error(const std::string& records, const std::string& part) {

@@ -20,13 +20,17 @@ constexpr double kFar = 500.0;         // m; floats are 3e-5 m apart there
 constexpr double kLeastRadius = 2e-9;  // m; a proof needs a radius, and grants itself twice this
 constexpr double kMoreReserve = 5.0;   // %: another plan is rounded otherwise
 
-tern::ProofReport proof_of(Scenario scenario, const tern::Trajectory& curve, const tern::Limits* limits) {
+tern::ProofReport proof_of(Scenario scenario, tern::Trajectory curve, const tern::Limits* limits) {
+  curve.begin = nanoseconds(scenario.start_time);
   scenario.radius = std::max(scenario.radius, kLeastRadius);
   const GridMap map(scenario);
   const std::vector<tern::Fence> fences = fences_of(scenario.fences);
   tern::ProofGrounds grounds;
   grounds.fences = fences.data();
   grounds.fence_count = static_cast<std::int32_t>(fences.size());
+  const std::vector<tern::Track> tracks = tracks_of(scenario.tracks);
+  grounds.tracks = tracks.data();
+  grounds.track_count = static_cast<std::int32_t>(tracks.size());
   tern::Proof proof;
   tern::ProofReport report{};
   report.finding = tern::Finding::kMalformed;
