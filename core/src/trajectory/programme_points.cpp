@@ -59,4 +59,11 @@ void add_group(int point_begin, int plane_begin, int plane_end, QpProblem& probl
   ++problem.group_count;
 }
 
+void drift_of(const Vec3* points, Vec3* drift) noexcept {
+  for (int k = 0; k < kJointOrder; ++k) {
+    drift[k] = k == 0 ? kZero : k * (points[k] - points[k - 1]);
+    drift[kDegree - k] = k == 0 ? kZero : k * (points[kDegree - k] - points[kDegree - k + 1]);
+  }
+}
+
 }  // namespace tern

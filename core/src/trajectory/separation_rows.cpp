@@ -56,14 +56,6 @@ void add_rows(const Chain& chain, const SeparationRows& rows, ProgrammeScale& sc
   add_group(point_begin, problem.plane_count - 1, problem.plane_count, problem);
 }
 
-/// T dc_k/dT of the segment's control points, with the states at both ends fixed.
-void drift_of_points(const Vec3* points, Vec3* drift) {
-  for (int k = 0; k < kJointOrder; ++k) {
-    drift[k] = k == 0 ? kZero : k * (points[k] - points[k - 1]);
-    drift[kDegree - k] = k == 0 ? kZero : k * (points[kDegree - k] - points[kDegree - k + 1]);
-  }
-}
-
 /// The control point k of the rate of change of `behind` if its time moves by u at its beginning and by v at its end.
 double rate_at(const SeparationRows& rows, int k, double u, double v) {
   const double scale = kDegree / rows.length;
@@ -127,7 +119,7 @@ void add_separation_prices(const Chain& chain, const QpSolution& solution, const
     const int i = origin.segment;
     const double pressure = scale.snap_per_cost * solution.multiplier[r];
     Vec3 drift[kControlPoints];
-    drift_of_points(points[i], drift);
+    drift_of(points[i], drift);
     const PartWeights part = part_weights(rows.u, rows.v);
     Vec3 change = kZero;
     for (int m = 0; m < kControlPoints; ++m) change = change + part.w[origin.index][m] * drift[m];

@@ -4,18 +4,10 @@
 #include "curve/bezier.hpp"
 #include "trajectory/hodograph_points.hpp"
 #include "trajectory/programme.hpp"
+#include "trajectory/programme_points.hpp"
 
 namespace tern {
 namespace {
-
-/// drift[k] = T dc_k/dT, with the states at both ends fixed. For c_k = sum_j kFirstEnd[k][j] T^j d_j this is k (c_k -
-/// c_(k - 1)). The control points next to the second end follow in the same way, counted from that end.
-void drift_of(const Vec3* points, Vec3* drift) {
-  for (int k = 0; k < kJointOrder; ++k) {
-    drift[k] = k == 0 ? kZero : k * (points[k] - points[k - 1]);
-    drift[kDegree - k] = k == 0 ? kZero : k * (points[kDegree - k] - points[kDegree - k + 1]);
-  }
-}
 
 /// -T d/dT of the integral of squared snap. The form is homogeneous: of degree 2 in the points and -7 in T.
 double snap_price(const Vec3* points, const Vec3* drift, double duration) {
