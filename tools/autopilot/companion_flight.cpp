@@ -43,6 +43,9 @@ double free_radius_of(tern_host::FlightWorld world) {
   return std::min(kMostFree, tern_host::clearance(world, world.start) - kHoverDrift);
 }
 
+/// Errors of a frame's attitude, rad: the autopilot's is true here, and only read between its messages.
+constexpr double kAngleMargin = 0.005;
+
 /// What an operator would set for this world.
 std::vector<std::string> arguments_of(const tern_host::FlightWorld& world, const CompanionFlight& flight) {
   const tern_host::FlightSettings& s = world.settings;
@@ -58,6 +61,7 @@ std::vector<std::string> arguments_of(const tern_host::FlightWorld& world, const
   set("horizon", 0.8 * s.sensor_range);
   set("depth_margin", s.depth_margin + s.depth_noise * s.sensor_range);
   set("pose_margin", s.pose_margin);
+  set("angle_margin", kAngleMargin);
   set("free_radius", free_radius_of(world));
   set("ground", world.boundary.lower.z);
   set("ceiling", world.boundary.upper.z - s.body_radius - s.pose_margin - s.tracking_margin);

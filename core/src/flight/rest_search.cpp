@@ -10,6 +10,10 @@ namespace {
 /// Places that are fewer radii apart than this count as the same.
 constexpr double kSamePlaceRadii = 4.0;
 
+/// So many plans in a row that led no nearer to the goal take the place of a survey: a vehicle that moves about its
+/// start never rests for one.
+constexpr int kSurveyPlans = 6;
+
 /// One of the kDirections level unit vectors of a full turn.
 Vec3 offset_of(int direction) {
   constexpr double kCosines[kDirections] = {1.0, 0.0, -1.0, 0.0};
@@ -63,7 +67,8 @@ FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, bool hemm
 bool RestSearch::wants_survey(const FlightFacts& flight) const noexcept {
   const Vec3 at = flight.position();
   const bool is_far = distance(at, flight.itinerary.points[flight.itinerary.leg].position) > flight.spec.horizon;
-  return is_far && !surveyed && is_same_place(flight, began_at, at);
+  const bool has_wandered = flight.itinerary.wandering >= kSurveyPlans;
+  return is_far && !surveyed && !has_wandered && is_same_place(flight, began_at, at);
 }
 
 void RestSearch::note_commit() noexcept {
