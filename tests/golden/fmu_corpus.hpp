@@ -12,7 +12,7 @@
 namespace tern_golden {
 
 /// Workspace and grid together, bytes.
-constexpr std::size_t kFmuBytes = 400000;
+constexpr std::size_t kFmuBytes = 409600;
 /// Words of grid storage that each of these scenarios fits in.
 constexpr std::size_t kFmuGridWords = 5000;
 
