@@ -32,6 +32,20 @@ double half_extent(const Vec3& along) {
   return 0.5 * (absolute(along.x) + absolute(along.y) + absolute(along.z));
 }
 
+/// From the eye to `behind` metres behind the centre.
+bool line_is_free(const RollingMap& map, const Vec3& eye, const Vec3& centre, double behind, Work& work) {
+  const Grid& grid = map.route();
+  const Vec3 from = grid.to_local(eye);
+  const Vec3 to = grid.to_local(centre);
+  const Vec3 way = to - from;
+  const double far = length(way);
+  if (!(far > 0.0)) return true;
+  const Vec3 beyond = to + (behind / far) * way;
+  const bool is_inside = grid.inside(grid.voxel_of(beyond));
+  work.spend(kWholeSight * sight_operations(grid, from, beyond));
+  return line_of_sight(GridAccess::bare(grid), from, is_inside ? beyond : to);
+}
+
 }  // namespace
 
 Optics::Optics(const FlightSensor& sensor, const MapSpec& map) noexcept
@@ -111,21 +125,6 @@ bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre
 
 bool Optics::in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept {
   return line_is_free(map, eye, centre, 0.0, work);
-}
-
-/// From the eye to `behind` metres behind the centre.
-bool Optics::line_is_free(const RollingMap& map, const Vec3& eye, const Vec3& centre, double behind,
-                          Work& work) const noexcept {
-  const Grid& grid = map.route();
-  const Vec3 from = grid.to_local(eye);
-  const Vec3 to = grid.to_local(centre);
-  const Vec3 way = to - from;
-  const double far = length(way);
-  if (!(far > 0.0)) return true;
-  const Vec3 beyond = to + (behind / far) * way;
-  const bool is_inside = grid.inside(grid.voxel_of(beyond));
-  work.spend(kWholeSight * sight_operations(grid, from, beyond));
-  return line_of_sight(GridAccess::bare(grid), from, is_inside ? beyond : to);
 }
 
 }  // namespace tern

@@ -43,8 +43,6 @@ class Optics {
   bool is_scanner() const noexcept { return is_scanner_; }
 
  private:
-  bool line_is_free(const RollingMap& map, const Vec3& eye, const Vec3& centre, double behind,
-                    Work& work) const noexcept;
   bool in_pyramid(const SensorPose& pose, const Vec3& way, double grown) const noexcept;
   bool in_ring(const SensorPose& pose, const Vec3& way, double grown) const noexcept;
 
