@@ -275,6 +275,37 @@ TEST(FlightLookout, AreFew) {
   EXPECT_EQ(room.look().left, kMostLookouts);
 }
 
+/// Lookouts that show all that they should do not count as in vain, 32 times.
+TEST(FlightLookout, CountsThoseInVain) {
+  Stuck room;
+  for (int k = 0; k < kMostShown + 2; ++k) {
+    room.set_seen(false);
+    room.search();
+    ASSERT_TRUE(room.look().is_active());
+    room.set_seen(true);
+    room.follow(1);
+    EXPECT_EQ(room.look().left, k < kMostShown ? kMostLookouts : kMostLookouts - 1 - (k - kMostShown));
+  }
+}
+
+/// A vehicle that moves, and whose plans have ended within one and a half seconds of flight for five seconds: at 3 m/s,
+/// 4.5 m.
+TEST(FlightLookout, IsCalledForOnceTheVehicleCircles) {
+  for (const double step : {4.4, 4.6}) {
+    Stuck room;
+    auto& plans = room.state().facts.plans;
+    plans.waiting = plans.in_flight;
+    plans.has_waiting = true;
+    plans.waiting.trajectory.origin.x -= step;
+    room.state().facts.time = 12 * kSecond;
+    room.look().note_tick(room.state().facts, {0, 0});
+    EXPECT_FALSE(room.is_called_for(5 * kSecond - 1, 0, 0));
+    EXPECT_EQ(room.is_called_for(5 * kSecond, 0, 0), step < 4.5);
+    plans.has_waiting = false;
+    EXPECT_FALSE(room.is_called_for(5 * kSecond, 0, 0));  // it rests
+  }
+}
+
 /// The map stands still during a search, and no other plan is made; then the vehicle flies to the lookout past no point
 /// of the mission, looks at what it should see, and goes on to its goal once it has seen that.
 TEST(FlightLookout, IsFlownTo) {
@@ -288,7 +319,7 @@ TEST(FlightLookout, IsFlownTo) {
   const Box hidden{{3.0, -16.0, -2.0}, {3.5, 16.0, 4.0}};
   ASSERT_EQ(safe.mark_box(hidden), Status::kOk);
   safe.inflate();
-  ASSERT_TRUE(room.tick_until([&] { return state.facts.rests() && room.report.committed > 0; }));
+  ASSERT_TRUE(room.tick_until([&] { return room.report.committed > 0; }));
   state.lookouts.begin(state.facts, state.nose, kGoal);
   ASSERT_TRUE(room.tick_until([&] { return state.lookouts.leads(); }));
   const Vec3 place = state.lookouts.place();

@@ -187,6 +187,9 @@ TEST_F(Among, GoesFromRoomToRoom) {
   EXPECT_NEAR(world_.report.rest_clear_until, 60.0, 1e-3);
   world_.request.rest_clear = 50.0;
   EXPECT_EQ(world_.plan(), Status::kGoalCovered);
+  EXPECT_NEAR(world_.report.goal_free, 8.0, 2e-3);  // sooner than it is reached
+  world_.request.rest_clear = 53.0;
+  EXPECT_EQ(world_.plan(), Status::kGoalCovered);
   EXPECT_EQ(world_.report.goal_free, kForever);
 }
 
@@ -212,6 +215,14 @@ TEST_F(Among, SaysWhenACoveredGoalIsFree) {
   EXPECT_EQ(world_.report.goal_free, kForever);
   const tern::StageReport& stage = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)];
   EXPECT_LE(stage.work, stage.bound);
+  // Sooner than the longest wait ends, but by then the way is closed for good.
+  parked.until = 30 * kSecond;
+  parked.end = TrackEnd::kGone;
+  Track closes = ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 3.0);
+  closes.measured = 10 * kSecond;
+  world_.request.rest_clear = 2.0;
+  ASSERT_EQ(plan({parked, closes}), Status::kGoalCovered);
+  EXPECT_NEAR(world_.report.goal_free, 30.0, 2e-3);
   EXPECT_EQ(plan({ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 5.0)}), Status::kStartInContact);
   EXPECT_EQ(world_.report.goal_free, kForever);
 }

@@ -109,8 +109,9 @@ void print_in_vain(const std::vector<tern::UnseenVoxel>& voxels) {
   if (voxels.empty()) return;
   const auto less = [](const tern::UnseenVoxel& a, const tern::UnseenVoxel& b) { return a.views < b.views; };
   const tern::UnseenVoxel& most = *std::max_element(voxels.begin(), voxels.end(), less);
-  std::printf("looked in vain at %zu voxels, most often (%d times) at %.2f %.2f %.2f\n", voxels.size(), most.views,
-              most.center.x, most.center.y, most.center.z);
+  std::printf("looked in vain at %zu voxel%s, most often (%d time%s) at %.2f %.2f %.2f\n", voxels.size(),
+              voxels.size() == 1 ? "" : "s", most.views, most.views == 1 ? "" : "s", most.center.x, most.center.y,
+              most.center.z);
 }
 
 void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& result) {

@@ -20,6 +20,11 @@ constexpr double kLeadNear = 0.7;
 constexpr double kLeadFar = 0.4;
 constexpr double kNearGoal = 2.0;  // metres
 constexpr double kLeadSlack = 0.1;
+/// A vehicle that moves circles if what is committed has ended, for so long, within so many seconds of flight of one
+/// place, or within kLeastCircle metres.
+constexpr std::int64_t kCirclesFor = 5000000000;
+constexpr double kCircle = 1.5;
+constexpr double kLeastCircle = 2.0;
 /// How long the nose may take to turn to what is needed before a search begins.
 constexpr std::int64_t kTurnWait = 1000000000;
 /// Plans without coming nearer after which the vehicle wanders, and fewer near the goal.
@@ -80,11 +85,12 @@ void Lookouts::try_anew() noexcept {
   phase = LookoutPhase::kIdle;
   tried.clear();
   left = kMostLookouts;
+  shown = 0;
   nearest = -1.0;
   found_nothing = is_last_try = false;
   in_vain = 0;
   wandering_due = 0;
-  anchored = -1;
+  anchored = circles_since = -1;
   not_before = 0;
 }
 
@@ -94,9 +100,16 @@ void Lookouts::note_tick(const FlightFacts& flight, const PlanCounts& plans) noe
   if (nearest < 0.0 || remaining < nearest - kNearer) {
     nearest = remaining;
     left = kMostLookouts;
+    shown = 0;
   }
   if (flight.itinerary.wandering == 0) wandering_due = 0;
   const Vec3 end = flight.plans.latest().end();
+  const Vec3& v_max = flight.spec.limits.v_max;
+  const double circle = larger(kLeastCircle, kCircle * smaller(v_max.x, v_max.y));
+  if (circles_since < 0 || distance(end, circles_about) > circle) {
+    circles_about = end;
+    circles_since = flight.time;
+  }
   if (anchored >= 0 && distance(end, anchor) <= kStandsStill) return;
   anchor = end;
   anchored = flight.time;
@@ -111,6 +124,8 @@ bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const 
                          (!flight.itinerary.is_reached_by(latest) || looks_for_ground(flight)) &&
                          !flight.itinerary.is_right_before(flight);
   if (!may_begin || flight.map.busy() || !flight.map.safe().inflated() || !flight.map.route().inflated()) return false;
+  const bool circles = circles_since >= 0 && flight.time - circles_since >= kCirclesFor;
+  if (circles && !flight.rests()) return true;
   const Sample now = flight.plans.sample_at(flight.time);
   const Vec3 end = latest.end();
   const bool is_near = distance(end, goal_of(flight)) < kNearGoal;
@@ -195,8 +210,9 @@ void Lookouts::end(const FlightFacts& flight, bool looked, bool failed) noexcept
   const bool is_blind = looked && flight.map.learned() == learned;
   if (is_blind) left = left > kBlindPrice ? left - kBlindPrice : 0;
   if (failed) tried.note_failure(lookout.place, lookout.look);
+  if (!failed && ++shown <= kMostShown) ++left;  // it does not count as in vain
   phase = LookoutPhase::kIdle;
-  anchored = -1;
+  anchored = circles_since = -1;
   not_before = flight.time + kAfterLookout;
 }
 

@@ -15,8 +15,10 @@
 
 namespace tern {
 
-/// Lookouts without coming kNearer metres nearer to the next point, after which the vehicle looks for no more.
+/// Lookouts without coming kNearer metres nearer to the next point, after which the vehicle looks for no more: those
+/// that did not show all that they should, and those that did.
 constexpr int kMostLookouts = 8;
+constexpr int kMostShown = 32;
 constexpr double kNearer = 0.5;
 /// Searches without an answer after which what was tried is forgotten, once.
 constexpr int kInVain = 5;
@@ -42,7 +44,8 @@ struct Lookouts {
   Tried tried;
   std::uint64_t* words;  ///< the caller's
 
-  int left;            ///< lookouts until the vehicle gives up
+  int left;            ///< lookouts in vain until the vehicle gives up
+  int shown;           ///< lookouts that showed all that they should
   double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
   bool is_last_try;    ///< the look around is over, or there were kInVain searches in vain
   int in_vain;         ///< searches in a row that had no answer
@@ -54,7 +57,9 @@ struct Lookouts {
   std::int64_t anchored;
   std::uint32_t anchored_plans;
   std::uint64_t anchored_frames;
-  std::int64_t not_before;  ///< the next search
+  Vec3 circles_about;          ///< all that was committed since then ended near here
+  std::int64_t circles_since;  ///< negative: not known
+  std::int64_t not_before;     ///< the next search
 
   // On the way, and looking.
   std::int64_t began;

@@ -74,6 +74,9 @@ void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict&
 /// wait and no pace helps. `conflict` becomes kGoalCovered if the trajectory, as it was, cannot rest at its end.
 Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Conflict& conflict,
                          Work& work) noexcept;
+/// After the last try failed: takes the waits and paces out of the durations again, so that the plan ends when the one
+/// that waits for nothing does.
+void waiting_undo(const Waiting& waiting, Trajectory& trajectory) noexcept;
 
 }  // namespace tern
 

@@ -251,7 +251,8 @@ Progress Pipeline::look_for_time(Work& work) noexcept {
     const Progress found = waiting_advance(grounds, trajectory, attempts_.waiting, conflict_, work);
     const bool is_known = conflict_.status != Status::kGoalCovered || goal_free_.is_sought;
     if (found != Progress::kFailed || is_known) return found;
-    goal_free_begin(arrival_, goal_free_);
+    waiting_undo(attempts_.waiting, trajectory);
+    goal_free_begin(duration(trajectory), goal_free_);
   }
   TrackProof& proof = memory_->stage.check.at_end;  // no stage needs it now
   return goal_free_advance(grounds, trajectory, goal_free_, proof, work) == Progress::kMore ? Progress::kMore
