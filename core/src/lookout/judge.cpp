@@ -74,7 +74,7 @@ bool LookoutSearch::sees(const RollingMap& map, const SensorPose& pose, const Ve
     case Lines::kThin:
       return optics.in_sight(map, pose.eye, centre, work);
     default:
-      return optics.in_short_sight(map, pose.eye, centre, work);
+      return Optics::in_short_sight(map, pose.eye, centre, work);
   }
 }
 

@@ -123,7 +123,7 @@ bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre
   return line_is_free(map, eye, centre, kHalfDiagonal * cell_ + margin_ + margin_square_ * far * far, work);
 }
 
-bool Optics::in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept {
+bool Optics::in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) noexcept {
   return line_is_free(map, eye, centre, 0.0, work);
 }
 

@@ -39,7 +39,7 @@ class Optics {
   bool in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre, Work& work) const noexcept;
   /// Only up to the cube's centre. A thing that was hit may fill a part of its voxels alone, so that the sensor sees
   /// past it what the other lines do not.
-  bool in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept;
+  static bool in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) noexcept;
   bool is_scanner() const noexcept { return is_scanner_; }
 
  private:
