@@ -46,20 +46,25 @@ class Scenes : public testing::Test {
     return track;
   }
 
-  /// How long the plan takes; it is proven by code that knows nothing of the planner. 0: there is none.
-  double plan(const std::vector<Track>& tracks) {
-    world_.request.tracks = tracks.data();
-    world_.request.track_count = static_cast<std::int32_t>(tracks.size());
-    if (world_.plan() != Status::kOk) return 0.0;
+  /// What the proof of the plan against the request's things finds, from a time of it on.
+  tern::Finding finding_from(double time) const {
     tern::TrackGrounds grounds;
-    grounds.tracks = tracks.data();
+    grounds.tracks = world_.request.tracks;
     grounds.count = world_.request.track_count;
     grounds.radius = world_.spec.radius;
     grounds.rest = 1.0;
     grounds.leaves = true;
     tern::ProofReport found;
-    tern::clear_until(world_.trajectory, 0.0, grounds, &found);
-    EXPECT_EQ(found.finding, tern::Finding::kNone);
+    tern::clear_until(world_.trajectory, time, grounds, &found);
+    return found.finding;
+  }
+
+  /// How long the plan takes; it is proven by code that knows nothing of the planner. 0: there is none.
+  double plan(const std::vector<Track>& tracks) {
+    world_.request.tracks = tracks.data();
+    world_.request.track_count = static_cast<std::int32_t>(tracks.size());
+    if (world_.plan() != Status::kOk) return 0.0;
+    EXPECT_EQ(finding_from(0.0), tern::Finding::kNone);
     for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
     return tern::duration(world_.trajectory);
   }
@@ -202,15 +207,7 @@ TEST_F(Scenes, ReplansArriveNoLater) {
       const double left = tern::duration(world_.trajectory) - world_.report.entered;
       EXPECT_LE(left, whole - time + 1e-6) << covered << " " << step;
       kept += world_.report.quality == tern::Quality::kPrevious ? 1 : 0;
-      tern::TrackGrounds grounds;
-      grounds.tracks = tracks.data();
-      grounds.count = world_.request.track_count;
-      grounds.radius = world_.spec.radius;
-      grounds.rest = 1.0;
-      grounds.leaves = true;
-      tern::ProofReport found;
-      tern::clear_until(world_.trajectory, world_.report.entered, grounds, &found);
-      EXPECT_EQ(found.finding, tern::Finding::kNone) << covered << " " << step;
+      EXPECT_EQ(finding_from(world_.report.entered), tern::Finding::kNone) << covered << " " << step;
     }
     world_.request.previous = nullptr;
     world_.request.start = {};

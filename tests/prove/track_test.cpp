@@ -8,26 +8,17 @@
 #include <limits>
 #include <vector>
 
+#include "support/timed_proof.hpp"
 #include "tern/track_proof.hpp"
 
 namespace {
 
 using namespace tern;
-
-constexpr std::int64_t kSecond = 1000000000;
-/// A stretch is halved 18 times over.
-constexpr double kEarly = 1e-4;
-
-/// From the origin along x, 2 m/s for 2 s.
-Trajectory along_x(const Vec3& origin = {0.0, 0.0, 0.0}, std::int64_t begin = 0) {
-  Trajectory plan{};
-  plan.begin = begin;
-  plan.count = 1;
-  plan.origin = origin;
-  plan.segments[0].duration = 2.0;
-  for (int k = 0; k < kControlPoints; ++k) plan.segments[0].points[k] = {4.0 * k / 7.0, 0.0, 0.0};
-  return plan;
-}
+using tern_test::along_x;
+using tern_test::kEarly;
+using tern_test::kSecond;
+using tern_test::prove_from;
+using tern_test::TimedAnswer;
 
 Track ball_at(const Vec3& place, double radius) {
   Track track;
@@ -36,32 +27,25 @@ Track ball_at(const Vec3& place, double radius) {
   return track;
 }
 
-struct Answer {
-  double until;
-  ProofReport report;
-};
-
-Answer prove(const Trajectory& plan, const std::vector<Track>& tracks, double radius = 0.5, double rest = 0.0,
-             bool leaves = false, double from = 0.0) {
+TimedAnswer prove(const Trajectory& plan, const std::vector<Track>& tracks, double radius = 0.5, double rest = 0.0,
+                  bool leaves = false, double from = 0.0) {
   TrackGrounds grounds;
   grounds.tracks = tracks.data();
   grounds.count = static_cast<std::int32_t>(tracks.size());
   grounds.radius = radius;
   grounds.rest = rest;
   grounds.leaves = leaves;
-  Answer answer{};
-  answer.until = clear_until(plan, from, grounds, &answer.report);
-  return answer;
+  return prove_from(from, plan, grounds);
 }
 
-void expect_met(const Answer& answer, double when, std::int32_t track = 0) {
+void expect_met(const TimedAnswer& answer, double when, std::int32_t track = 0) {
   EXPECT_EQ(answer.report.finding, Finding::kTrack);
   EXPECT_EQ(answer.report.track, track);
   EXPECT_LE(answer.until, when + 1e-8);
   EXPECT_GE(answer.until, when - kEarly);
 }
 
-void expect_clear(const Answer& answer, double until) {
+void expect_clear(const TimedAnswer& answer, double until) {
   EXPECT_EQ(answer.report.finding, Finding::kNone);
   EXPECT_EQ(answer.report.track, kNoTrack);
   EXPECT_DOUBLE_EQ(answer.until, until);
@@ -98,7 +82,7 @@ TEST(TrackProof, OldTracksFarAway) {
   ball.velocity = {-1.0, 0.0, 0.0};
   ball.measured = 5;
   const Trajectory plan = along_x({1e7, 0.0, 0.0}, 1000000000 * kSecond + 5);
-  const Answer answer = prove(plan, {ball});
+  const TimedAnswer answer = prove(plan, {ball});
   expect_met(answer, 2.0 / 3.0);
   const Track near = ball_at({1e7 + 2.0, 1.0 - 3e-9, 0.0}, 0.5);
   const Track nearer = ball_at({1e7 + 2.0, 1.0 - 1e-8, 0.0}, 0.5);
@@ -200,7 +184,7 @@ TEST(TrackProof, RestAtTheEnd) {
   ball.velocity = {0.0, -1.0, 0.0};
   expect_clear(prove(along_x(), {ball}), 2.0);
   expect_clear(prove(along_x(), {ball}, 0.5, 1.75), 3.75);
-  const Answer answer = prove(along_x(), {ball}, 0.5, 10.0);
+  const TimedAnswer answer = prove(along_x(), {ball}, 0.5, 10.0);
   expect_met(answer, 4.0);
   EXPECT_EQ(answer.report.segment, 0);
 }
@@ -210,7 +194,7 @@ TEST(TrackProof, TheEarliestCounts) {
                                   ball_at({3.0, 0.0, 0.0}, 0.5)};
   expect_met(prove(along_x(), tracks), 0.75, 1);
   expect_met(prove(along_x(), tracks, 0.5, 0.0, false, 0.5), 0.75, 1);
-  const Answer inside = prove(along_x(), tracks, 0.5, 0.0, false, 1.0);
+  const TimedAnswer inside = prove(along_x(), tracks, 0.5, 0.0, false, 1.0);
   EXPECT_EQ(inside.until, 1.0);
   EXPECT_EQ(inside.report.track, 1);
   EXPECT_NEAR(inside.report.excess, 0.5, 1e-6);
@@ -219,7 +203,7 @@ TEST(TrackProof, TheEarliestCounts) {
 TEST(TrackProof, LeavesWhatItBeginsTooNearTo) {
   // Today's gap is 0.7 of 1: the plan leads away at 2 m/s.
   const Track behind = ball_at({-0.7, 0.0, 0.0}, 0.5);
-  const Answer refused = prove(along_x(), {behind});
+  const TimedAnswer refused = prove(along_x(), {behind});
   EXPECT_EQ(refused.until, 0.0);
   EXPECT_EQ(refused.report.finding, Finding::kTrack);
   EXPECT_NEAR(refused.report.excess, 0.3, 1e-6);
@@ -367,7 +351,7 @@ TEST(TrackProof, RefusesListsAndGrounds) {
 TEST(TrackProof, MalformedTrajectory) {
   Trajectory plan = along_x();
   plan.segments[0].points[3].y = std::numeric_limits<double>::quiet_NaN();
-  const Answer answer = prove(plan, {ball_at({9.0, 9.0, 9.0}, 0.1)});
+  const TimedAnswer answer = prove(plan, {ball_at({9.0, 9.0, 9.0}, 0.1)});
   EXPECT_EQ(answer.report.finding, Finding::kMalformed);
   EXPECT_EQ(answer.until, 0.0);
 }

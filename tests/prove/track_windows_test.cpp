@@ -10,27 +10,13 @@
 #include <vector>
 
 #include "support/random.hpp"
+#include "support/timed_proof.hpp"
 #include "tern/track_proof.hpp"
 
 namespace tern_test {
 namespace {
 
 using namespace tern;
-
-constexpr std::int64_t kSecond = 1000000000;
-/// A stretch is halved 18 times over.
-constexpr double kEarly = 1e-4;
-
-/// From the origin along x, 2 m/s for 2 s.
-Trajectory along_x(const Vec3& origin = {0.0, 0.0, 0.0}, std::int64_t begin = 0) {
-  Trajectory plan{};
-  plan.begin = begin;
-  plan.count = 1;
-  plan.origin = origin;
-  plan.segments[0].duration = 2.0;
-  for (int k = 0; k < kControlPoints; ++k) plan.segments[0].points[k] = {4.0 * k / 7.0, 0.0, 0.0};
-  return plan;
-}
 
 std::int64_t ns(double seconds) {
   return std::llround(seconds * 1e9);
@@ -47,12 +33,7 @@ struct TimedBox {
   Fence fence;
 };
 
-struct Answer {
-  double until;
-  ProofReport report;
-};
-
-Answer prove(const Trajectory& plan, const std::vector<TimedBox>& boxes, double radius = 0.5, double rest = 0.0) {
+TimedAnswer prove(const Trajectory& plan, const std::vector<TimedBox>& boxes, double radius = 0.5, double rest = 0.0) {
   std::vector<Fence> fences;
   for (const TimedBox& box : boxes) {
     fences.push_back(box.fence);
@@ -63,12 +44,10 @@ Answer prove(const Trajectory& plan, const std::vector<TimedBox>& boxes, double 
   grounds.fence_count = static_cast<std::int32_t>(fences.size());
   grounds.radius = radius;
   grounds.rest = rest;
-  Answer answer{};
-  answer.until = clear_until(plan, 0.0, grounds, &answer.report);
-  return answer;
+  return prove_from(0.0, plan, grounds);
 }
 
-void expect_met(const Answer& answer, double when, std::int32_t fence) {
+void expect_met(const TimedAnswer& answer, double when, std::int32_t fence) {
   EXPECT_EQ(answer.report.finding, Finding::kFence);
   EXPECT_EQ(answer.report.fence, fence);
   EXPECT_EQ(answer.report.track, kNoTrack);
@@ -76,7 +55,7 @@ void expect_met(const Answer& answer, double when, std::int32_t fence) {
   EXPECT_GE(answer.until, when - kEarly);
 }
 
-void expect_clear(const Answer& answer, double until) {
+void expect_clear(const TimedAnswer& answer, double until) {
   EXPECT_EQ(answer.report.finding, Finding::kNone);
   EXPECT_EQ(answer.report.fence, kNoFence);
   EXPECT_DOUBLE_EQ(answer.until, until);
@@ -257,7 +236,7 @@ TEST(TrackWindows, BesideSamples) {
                          Vec3{c.x + size, c.y + size, c.z + size}, from, from + random.real(0.01, 4.0),
                          random.real(0.0, 0.05));
     }
-    const Answer answer = prove(plan, boxes, radius);
+    const TimedAnswer answer = prove(plan, boxes, radius);
     const double end = plan.segments[0].duration + plan.segments[1].duration;
     answer.report.finding == Finding::kNone ? ++proven : ++lost;
     for (int k = 0; answer.until > 0.0 && k <= 2000; ++k) {

@@ -88,11 +88,7 @@ bool goal_stays_clear(TimedFlood& flood, std::int32_t layer, Operations& spent) 
     for (std::int32_t j = 0; j < query.things.count; ++j) {
       const Track& track = query.things.tracks[j];
       spent += ops::kPiece + ops::kTurn * track.piece_count;
-      Vec3 place{};
-      double need = 0.0;
-      if (!thing_now(query.things, track, time, place, need)) continue;
-      const Vec3 from = query.to - place;
-      if (distance(from, closest_in(track, from)) >= need) continue;
+      if (!is_too_near(query.things, track, query.to, time)) continue;
       flood.covered = time;
       return false;
     }
@@ -263,8 +259,7 @@ Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& 
     flood.step = flood.lattice.size / (query.share * speed);
     flood.layers = floor_index(query.longest / flood.step, 0, kMaxFloodLayers) + 1;
     if (flood.layers > kMaxFloodLayers) flood.layers = kMaxFloodLayers;
-    const std::int64_t words = std::int64_t{flood.lattice.words} * (kOtherLayers + 2 * (flood.layers + 1));
-    fits = words <= kMaxFloodWords;
+    fits = words_of(flood) <= kMaxFloodWords;
   }
   if (is_full(!fits)) return Status::kFloodFull;
   flood.start = cell_at(flood.lattice, grid, query.from);
@@ -277,8 +272,8 @@ Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& 
   return Status::kRunning;
 }
 
-std::int32_t words_of(const TimedFlood& flood) noexcept {
-  return flood.lattice.words * (kOtherLayers + 2 * (flood.layers + 1));
+std::int64_t words_of(const TimedFlood& flood) noexcept {
+  return std::int64_t{flood.lattice.words} * (kOtherLayers + 2 * (flood.layers + 1));
 }
 
 Progress timed_flood_advance(TimedFlood& flood, const Grid& grid, Work& work) noexcept {

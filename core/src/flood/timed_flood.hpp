@@ -76,7 +76,7 @@ struct TimedFlood {
 Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& query) noexcept;
 
 /// What it takes of kMaxFloodWords.
-std::int32_t words_of(const TimedFlood& flood) noexcept;
+std::int64_t words_of(const TimedFlood& flood) noexcept;
 
 /// A piece of work is a row of free cells, a layer, a thing in a layer, or a step of the trace. kFailed: there is no
 /// way.

@@ -3,6 +3,7 @@
 #include "flood/timed_way.hpp"
 
 #include "base/capacity.hpp"
+#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 #include "path/sight.hpp"
@@ -26,17 +27,13 @@ std::int32_t longest_leg(const TimedFlood& flood) {
   return wanted < needed ? needed : wanted;
 }
 
-bool rests(const Voxel& a, const Voxel& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 /// The layer that a leg reaches at most. A leg that stays in its cell may be longer.
 std::int32_t first_trial(const TimedFlood& flood, std::int32_t knot) {
   const std::int32_t longest = longest_leg(flood);
   std::int32_t end = knot + longest;
   if (end > flood.arrival) return flood.arrival;
   std::int32_t stays = knot;
-  while (stays < flood.arrival && rests(flood.way[stays + 1], flood.way[knot])) ++stays;
+  while (stays < flood.arrival && same(flood.way[stays + 1], flood.way[knot])) ++stays;
   const std::int32_t most = knot + kLongestRest * longest;
   if (stays > end) end = stays < most ? stays : most;
   return end;
@@ -45,11 +42,7 @@ std::int32_t first_trial(const TimedFlood& flood, std::int32_t knot) {
 /// True if a point keeps off all things at a time.
 bool is_clear(const Things& things, const Vec3& point, double time) {
   for (std::int32_t j = 0; j < things.count; ++j) {
-    Vec3 place{};
-    double need = 0.0;
-    if (!thing_now(things, things.tracks[j], time, place, need)) continue;
-    const Vec3 from = point - place;
-    if (distance(from, closest_in(things.tracks[j], from)) < need) return false;
+    if (is_too_near(things, things.tracks[j], point, time)) return false;
   }
   return true;
 }

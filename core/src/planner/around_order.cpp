@@ -77,7 +77,7 @@ void Pipeline::next_seed() noexcept {
       if (around.lacking == Status::kOk) around.lacking = status;
       continue;
     }
-    raise(flood_words_, words_of(memory.stage.flood));
+    raise(flood_words_, static_cast<std::int32_t>(words_of(memory.stage.flood)));
     around.is_flooding = true;
     return enter(Stage::kTracks);
   }

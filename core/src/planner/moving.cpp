@@ -124,10 +124,8 @@ void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict&
   if (waiting.has_rest) trajectory.segments[waiting.joint].duration = kLeastWait;
 }
 
-void waiting_undo(const Waiting& waiting, Trajectory& trajectory) noexcept {
-  if (waiting.joint < 0) return;
-  for (int s = 0; s < trajectory.count; ++s) trajectory.segments[s].duration = waiting.duration[s];
-  if (waiting.has_rest) trajectory.segments[waiting.joint].duration = kLeastWait;
+void waiting_undo(Waiting& waiting, Trajectory& trajectory) noexcept {
+  if (waiting.joint >= 0) set_out(0, waiting, trajectory);
 }
 
 Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Conflict& conflict,

@@ -76,7 +76,7 @@ Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Wa
                          Work& work) noexcept;
 /// After the last try failed: takes the waits and paces out of the durations again, so that the plan ends when the one
 /// that waits for nothing does.
-void waiting_undo(const Waiting& waiting, Trajectory& trajectory) noexcept;
+void waiting_undo(Waiting& waiting, Trajectory& trajectory) noexcept;
 
 }  // namespace tern
 

@@ -169,10 +169,7 @@ void Pipeline::take_plan() noexcept {
 
 /// The check has refused the plan because of a track or of a fence for a while: time may help.
 void Pipeline::meet_track() noexcept {
-  if (conflict_.status == Status::kOk) {
-    conflict_ = conflict_of(refused_, left_);
-    arrival_ = duration(memory_->trajectory);
-  }
+  if (conflict_.status == Status::kOk) conflict_ = conflict_of(refused_, left_);
   if (attempts_.waiting.is_tried || follows()) return go_on_from_tracks(false);
   const bool leads = problem_.track_count > 0 && may_lead_around(quality_, results_.corridor);
   leads ? begin_around() : enter(Stage::kTracks);

@@ -112,8 +112,7 @@ class Pipeline {
   Legs legs_{};
   Rooms rooms_{};
   Curves curves_{};
-  Conflict conflict_{};   // what the first plan met
-  double arrival_ = 0.0;  // of that plan, s since its beginning
+  Conflict conflict_{};  // what the first plan met
   GoalFree goal_free_{};
   std::int32_t left_ = kNoTrack;  // the first track that the plan begins too near to
   double rest_until_ = __builtin_inf();

@@ -39,13 +39,17 @@ double size_of_points(const double (*tube)[4]) {
   return size;
 }
 
-}  // namespace
-
-bool watches(const TrackGrounds& grounds) noexcept {
+bool has_windows(const TrackGrounds& grounds) {
   for (std::int32_t k = 0; k < grounds.fence_count; ++k) {
     if (is_timed(grounds.fences[k])) return true;
   }
-  return grounds.count > 0;
+  return false;
+}
+
+}  // namespace
+
+bool watches(const TrackGrounds& grounds) noexcept {
+  return grounds.count > 0 || has_windows(grounds);
 }
 
 /// Begins the proof against the fences. False if none is for a while.
@@ -54,10 +58,7 @@ bool TrackProof::enter_windows() noexcept {
   at_ = from_;
   segment_ = 0;
   segment_begin_ = {0.0, 0.0};
-  for (std::int32_t k = 0; k < grounds_.fence_count; ++k) {
-    if (is_timed(grounds_.fences[k])) return true;
-  }
-  return false;
+  return has_windows(grounds_);
 }
 
 /// Loads the curve from at_ to `to`, or to the next instant at which a fence begins or ends.

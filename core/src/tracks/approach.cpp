@@ -61,12 +61,8 @@ Instant at_share(const Stretch& stretch, double u) {
     points[k] = stretch.points[k];
     need[k] = stretch.need[k];
   }
-  for (int level = 1; level <= kDegree; ++level) {
-    for (int k = 0; k <= kDegree - level; ++k) {
-      points[k] = (1.0 - u) * points[k] + u * points[k + 1];
-      need[k] = (1.0 - u) * need[k] + u * need[k + 1];
-    }
-  }
+  keep_last_part(u, points);
+  keep_last_part(u, need);
   return {points[0], need[0]};
 }
 

@@ -69,6 +69,15 @@ inline Vec3 closest_in(const Track& track, const Vec3& point) {
   return {share * point.x, share * point.y, z};
 }
 
+/// True if a plan at `point` is too near to the thing at an instant.
+inline bool is_too_near(const Things& things, const Track& track, const Vec3& point, double at) {
+  Vec3 place{};
+  double need = 0.0;
+  if (!thing_now(things, track, at, place, need)) return false;
+  const Vec3 from = point - place;
+  return distance(from, closest_in(track, from)) < need;
+}
+
 /// How far the shape reaches from its centre along a normal.
 inline double support_of(const Track& track, const Vec3& normal) {
   const Vec3& half = track.half;

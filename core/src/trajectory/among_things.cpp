@@ -29,11 +29,8 @@ bool part_from_things(TrajectoryStage& stage, Work& work) noexcept {
   if (stage.query.scene == nullptr) return true;
   Separations& separations = stage.separations;
   stage.phase = TrajectoryPhase::kFinish;
-  if (separations.is_full) return false;
-  if (!add_separations(stage.chain, *stage.query.scene, separations, stage.scale, stage.problem, work)) {
-    return false;
-  }
-  return true;
+  return !separations.is_full &&
+         add_separations(stage.chain, *stage.query.scene, separations, stage.scale, stage.problem, work);
 }
 
 void look_at_reference(TrajectoryStage& stage) noexcept {
