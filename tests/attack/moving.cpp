@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "attack/attack_case.hpp"
+#include "attack/in_time.hpp"
 #include "attack/windows.hpp"
 
 namespace tern_attack {
@@ -22,37 +23,6 @@ constexpr int kMostThings = 6;
 
 Real seconds(std::int64_t from, std::int64_t to) {
   return (static_cast<Real>(to) - static_cast<Real>(from)) * 1e-9L;
-}
-
-Point bezier(const tern::Vec3* points, Real u) {
-  constexpr Real kBinomial[] = {1, 7, 21, 35, 35, 21, 7, 1};
-  Point sum = point({0.0, 0.0, 0.0});
-  for (int i = 0; i < tern::kControlPoints; ++i) {
-    const Real weight = kBinomial[i] * std::pow(u, static_cast<Real>(i)) * std::pow(1 - u, static_cast<Real>(7 - i));
-    for (int a = 0; a < 3; ++a) sum[a] += weight * axis(points[i], a);
-  }
-  return sum;
-}
-
-/// The most that control points allow, m/s.
-Real fastest(const tern::Vec3* points, Real duration) {
-  Real most = 0;
-  for (int i = 0; i < tern::kDegree; ++i) {
-    const Point step = point(points[i + 1]) - point(points[i]);
-    most = std::max(most, std::sqrt(dot(step, step)));
-  }
-  return tern::kDegree * most / duration;
-}
-
-/// On a chain of curves, past its end at rest there.
-template <class PieceAt>
-Point on_chain(int count, const PieceAt& piece_at, Real t) {
-  for (int i = 0; i < count; ++i) {
-    const auto& piece = piece_at(i);
-    if (t < piece.duration) return bezier(piece.points, std::max<Real>(0, t / piece.duration));
-    t -= piece.duration;
-  }
-  return point(piece_at(count - 1).points[tern::kDegree]);
 }
 
 Real apart(const Track& track, const Point& p) {
@@ -73,13 +43,12 @@ struct Pair {
 
   /// How much more than is needed they are apart at `t`, seconds since the beginning of the plan.
   Real gap(Real t) const {
-    const auto segment_at = [&](int i) -> const tern::Segment& { return plan.segments[i]; };
     const Real since = seconds(track.measured, plan.begin) + t;
     const bool ends = track.end != TrackEnd::kGoesOn;
     const Real known = ends ? std::min(since, seconds(track.measured, track.until)) : since;
     if (since < 0 || (since > known && track.end == TrackEnd::kGone)) return 1e9L;
     const Point to = point(track.position) - point(plan.origin);
-    const Point p = on_chain(plan.count, segment_at, t) - to;
+    const Point p = place_at(plan, t) - to;
     Point place = known * point(track.velocity);
     Point first = point({0.0, 0.0, 0.0});
     if (track.piece_count > 0) {
@@ -96,42 +65,27 @@ struct Pair {
 
   /// The most by which the gap changes in a second until `end`.
   Real change(Real end) const {
-    Real mine = 0;
-    for (int s = 0; s < plan.count; ++s)
-      mine = std::max(mine, fastest(plan.segments[s].points, plan.segments[s].duration));
     const Point v = point(track.velocity);
     Real its = std::sqrt(dot(v, v));
     for (int p = 0; p < track.piece_count; ++p) {
       its = std::max(its, fastest(track.pieces[p].points, track.pieces[p].duration));
     }
     const Real since = std::max<Real>(0, seconds(track.measured, plan.begin) + end);
-    return mine + its + track.error_speed + track.error_growth * since + 2 * track.reach;
+    return fastest(plan) + its + track.error_speed + track.error_growth * since + 2 * track.reach;
   }
 };
 
 /// False if the gap is below -`slack` at some time from `begin` to `end`, which `when` gets.
 bool stays_clear(const Pair& pair, Real begin, Real end, Real slack, Real& when) {
-  constexpr int kMostPieces = 20000;
+  constexpr Real kAbsent = 1e8L;
   const Real change = pair.change(end);
-  struct Piece {
-    Real begin, end;
+  const auto gap_at = [&](Real t) { return pair.gap(t); };
+  // It may come into being or go within a piece, and then jumps.
+  const auto is_sure = [&](const Interval& piece, Real half, Real gap) {
+    if (gap < kAbsent) return gap - change * half >= -slack;
+    return half < 0.05L && pair.gap(piece.begin) >= kAbsent && pair.gap(piece.end) >= kAbsent;
   };
-  std::vector<Piece> open{{begin, end}};
-  for (int pieces = 0; !open.empty() && pieces < kMostPieces; ++pieces) {
-    const Piece piece = open.back();
-    open.pop_back();
-    const Real middle = (piece.begin + piece.end) / 2;
-    const Real gap = pair.gap(middle);
-    when = middle;
-    if (gap < -slack) return false;
-    const Real half = (piece.end - piece.begin) / 2;
-    // It may come into being or go within a piece, and then jumps.
-    if ((gap < 1e8L && gap - change * half >= -slack) || half < 1e-7L) continue;
-    if (gap >= 1e8L && pair.gap(piece.begin) >= 1e8L && pair.gap(piece.end) >= 1e8L && half < 0.05L) continue;
-    open.push_back({middle, piece.end});
-    open.push_back({piece.begin, middle});
-  }
-  return true;
+  return stays_above(-slack, {begin, end}, gap_at, is_sure, when);
 }
 
 Track make_thing(Rng& rng, const World& world, const Ask& ask) {

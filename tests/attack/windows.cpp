@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "attack/in_time.hpp"
+
 namespace tern_attack {
 namespace {
 
@@ -47,30 +49,6 @@ Real room_of(const Fence& fence, const Point& p, const Point& origin) {
   return most > 0 ? std::sqrt(square) : most;
 }
 
-Point place_at(const tern::Trajectory& plan, Real t) {
-  constexpr Real kBinomial[] = {1, 7, 21, 35, 35, 21, 7, 1};
-  int s = 0;
-  while (s + 1 < plan.count && t > plan.segments[s].duration) t -= plan.segments[s++].duration;
-  const Real u = std::min<Real>(1, std::max<Real>(0, t / plan.segments[s].duration));
-  Point sum = point({0.0, 0.0, 0.0});
-  for (int i = 0; i < tern::kControlPoints; ++i) {
-    const Real weight = kBinomial[i] * std::pow(u, static_cast<Real>(i)) * std::pow(1 - u, static_cast<Real>(7 - i));
-    for (int a = 0; a < 3; ++a) sum[a] += weight * axis(plan.segments[s].points[i], a);
-  }
-  return sum;
-}
-
-Real fastest(const tern::Trajectory& plan) {
-  Real most = 0;
-  for (int s = 0; s < plan.count; ++s) {
-    for (int i = 0; i < tern::kDegree; ++i) {
-      const Point step = point(plan.segments[s].points[i + 1]) - point(plan.segments[s].points[i]);
-      most = std::max(most, tern::kDegree * std::sqrt(dot(step, step)) / plan.segments[s].duration);
-    }
-  }
-  return most;
-}
-
 struct Held {
   const tern::Request& request;
   const tern::Trajectory& plan;
@@ -98,24 +76,10 @@ struct Held {
 
   /// False if there is less room than -`slack` between two instants of change.
   bool holds(Real begin, Real end, Real slack, Real& when) const {
-    constexpr int kMostPieces = 20000;
     const Real change = fastest(plan);
-    struct Piece {
-      Real begin, end;
-    };
-    std::vector<Piece> open{{begin, end}};
-    for (int pieces = 0; !open.empty() && pieces < kMostPieces; ++pieces) {
-      const Piece piece = open.back();
-      open.pop_back();
-      const Real half = (piece.end - piece.begin) / 2;
-      when = piece.begin + half;
-      const Real found = room(when);
-      if (found < -slack) return false;
-      if (found - change * half >= -slack || half < 1e-7L) continue;
-      open.push_back({when, piece.end});
-      open.push_back({piece.begin, when});
-    }
-    return true;
+    const auto room_at = [&](Real t) { return room(t); };
+    const auto is_sure = [&](const Interval&, Real half, Real found) { return found - change * half >= -slack; };
+    return stays_above(-slack, {begin, end}, room_at, is_sure, when);
   }
 };
 
