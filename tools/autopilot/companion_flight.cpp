@@ -106,7 +106,8 @@ class Simulation {
 
   FlightOutcome fly() {
     const auto end = static_cast<std::int64_t>(1e9 * world_.settings.time_limit);
-    autopilot_.report();  // a heartbeat: the companion answers nobody else
+    companion_.wait_until_it_says("a sender of depth has connected");  // first, in all flights
+    autopilot_.report();                                               // a heartbeat: the companion answers nobody else
     flush();
     for (time_ = kStep; time_ <= end && !outcome_.touched && goes_on(); time_ += kStep) {
       move();

@@ -71,9 +71,13 @@ CompanionProcess::CompanionProcess(const std::string& program, const std::vector
   if (process_ == 0) become(program, words, ends[1]);
   close(ends[1]);
   output_ = ends[0];
-  while (said_.find("listens\n") == std::string::npos) {
+  wait_until_it_says("listens");
+}
+
+void CompanionProcess::wait_until_it_says(const std::string& line) {
+  while (said_.find(line + "\n") == std::string::npos) {
     read_output(100);
-    if (has_ended()) throw std::runtime_error(program + " ended at once, and said: " + said());
+    if (has_ended()) throw std::runtime_error("the companion ended before it said '" + line + "'. It said: " + said());
   }
 }
 

@@ -32,6 +32,8 @@ class CompanionProcess {
   bool has_ended();
   /// Waits for its end. Its exit status; -1 for a signal.
   int wait();
+  /// Throws std::runtime_error with what it said if it ends before it says this line.
+  void wait_until_it_says(const std::string& line);
   /// What it has said so far.
   const std::string& said();
 
