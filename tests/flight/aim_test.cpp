@@ -115,8 +115,8 @@ TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
   expect_same(look(above, {{p.x - 0.1, p.y - 0.1, p.z + 0.4}, {p.x + 0.1, p.y + 0.1, p.z + 0.6}}), old);
 }
 
-/// No way leads to the aim: the nearest point that one leads to takes its place, if nothing unseen was solid. Where the
-/// vehicle rests there already, the goal is cut off.
+/// No way leads to the aim: the nearest point that one leads to takes its place, if nothing unseen was solid or nothing
+/// else helped. Where the vehicle rests there already and nothing unseen was solid, the goal is cut off.
 TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
   const auto moves = [](Status status, bool all_free, double reachable, bool at_goal, FlightRoom& room) {
     room.flight.set_goal({8.125, 0.125, 1.125});
@@ -149,6 +149,12 @@ TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
   EXPECT_EQ(ask_again(far.state(), again), NextPlan::kNone);  // once
   FlightRoom unseen;
   EXPECT_FALSE(moves(Status::kNoPath, false, 3.0, true, unseen));
+  FlightRoom last_resort;
+  last_resort.state().cycle.is_last_resort = true;
+  EXPECT_TRUE(moves(Status::kNoPath, false, 3.0, true, last_resort));
+  last_resort.state().cycle.aim.at_reachable = false;
+  EXPECT_FALSE(moves(Status::kNoPath, false, 0.2, true, last_resort));
+  EXPECT_FALSE(last_resort.state().cycle.cut_off);
   FlightRoom other;
   EXPECT_FALSE(moves(Status::kBudgetSearch, true, 3.0, true, other));
   for (const bool at_goal : {true, false}) {

@@ -102,20 +102,28 @@ TEST(FlightLookout, IsNotCalledForWithoutNeed) {
   EXPECT_FALSE(room.is_called_for(kSecond, 9, 9)) << "the map slides";
 }
 
-/// A vehicle that flies back and forth is called to look after 40 plans, and then after 40 more.
+/// A vehicle that flies back and forth before a goal within its horizon is called to look after six plans, and then
+/// after six more. If its goal is further away, the last three of them must have shown nothing new.
 TEST(FlightLookout, IsCalledForIfTheVehicleWanders) {
-  Stuck room;
-  FlightState& state = room.state();
-  state.facts.itinerary.wandering = 39;
-  EXPECT_FALSE(room.is_called_for(1, 1, 1));
-  state.facts.itinerary.wandering = 40;
-  EXPECT_TRUE(room.is_called_for(1, 1, 1));
-  room.search();
-  room.look().phase = LookoutPhase::kIdle;
-  room.look().not_before = 0;
-  EXPECT_FALSE(room.is_called_for(1, 1, 1));
-  state.facts.itinerary.wandering = 80;
-  EXPECT_TRUE(room.is_called_for(1, 1, 1));
+  for (const bool is_far : {false, true}) {
+    Stuck room;
+    FlightState& state = room.state();
+    const double away = distance(state.facts.position(), kGoal);
+    state.facts.spec.horizon = is_far ? away - 0.01 : away + 0.01;
+    const auto is_called_for = [&](int wandering, int fruitless) {
+      state.facts.itinerary.wandering = wandering;
+      state.facts.itinerary.fruitless = fruitless;
+      return room.is_called_for(1, 1, 1);
+    };
+    EXPECT_FALSE(is_called_for(5, 5));
+    EXPECT_EQ(is_called_for(6, 2), !is_far);
+    EXPECT_TRUE(is_called_for(6, 3));
+    room.search();
+    room.look().phase = LookoutPhase::kIdle;
+    room.look().not_before = 0;
+    EXPECT_FALSE(is_called_for(11, 11));
+    EXPECT_TRUE(is_called_for(12, 12));
+  }
 }
 
 /// From where the vehicle is, the camera sees what is ahead: it stays, and looks.
@@ -285,24 +293,6 @@ TEST(FlightLookout, CountsThoseInVain) {
     room.set_seen(true);
     room.follow(1);
     EXPECT_EQ(room.look().left, k < kMostShown ? kMostLookouts : kMostLookouts - 1 - (k - kMostShown));
-  }
-}
-
-/// A vehicle that moves, and whose plans have ended within one and a half seconds of flight for five seconds: at 3 m/s,
-/// 4.5 m.
-TEST(FlightLookout, IsCalledForOnceTheVehicleCircles) {
-  for (const double step : {4.4, 4.6}) {
-    Stuck room;
-    auto& plans = room.state().facts.plans;
-    plans.waiting = plans.in_flight;
-    plans.has_waiting = true;
-    plans.waiting.trajectory.origin.x -= step;
-    room.state().facts.time = 12 * kSecond;
-    room.look().note_tick(room.state().facts, {0, 0});
-    EXPECT_FALSE(room.is_called_for(5 * kSecond - 1, 0, 0));
-    EXPECT_EQ(room.is_called_for(5 * kSecond, 0, 0), step < 4.5);
-    plans.has_waiting = false;
-    EXPECT_FALSE(room.is_called_for(5 * kSecond, 0, 0));  // it rests
   }
 }
 

@@ -57,6 +57,7 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   steps_back = !hemmed_in && lookouts.leads() && attempt == 1 && is_squeezed(flight, takeover);
   const double near = attempt < 2 ? flight.spec.near : 0.0;
   all_free = !(near > 0.0);
+  is_last_resort = search.is_looking && !search.surveys;
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
   const double emptied = hemmed_in ? window.clearance() : 0.0;
   route.begin(flight.map, flight.plans.sample_at(takeover).position, near, hole, emptied);

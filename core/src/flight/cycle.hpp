@@ -66,6 +66,7 @@ struct Cycle {
   Trajectory plan;  ///< the planner's trajectory
   Job job;
   bool all_free;           ///< no unseen voxel is solid in the route copy
+  bool is_last_resort;     ///< the vehicle rests and looks around, because nothing else helped
   bool hemmed_in;          ///< something is within the radius of where the vehicle rests
   bool leads_out;          ///< the plan leads away from what is within the radius
   bool steps_back;         ///< the plan leads to the nearest voxel that is free for all that is known

@@ -85,16 +85,18 @@ void Cycle::follow_route(const FlightFacts& flight) noexcept {
 }
 
 bool Cycle::may_move_to_reachable(const Report& found) const noexcept {
-  return found.status == Status::kNoPath && found.has_reachable && all_free && !aim.at_reachable &&
+  return found.status == Status::kNoPath && found.has_reachable && (all_free || is_last_resort) && !aim.at_reachable &&
          aim.asked_count == 0;
 }
 
 /// No way through the window leads to the aim, even with all unseen voxels free: asks for a plan to the reachable point
-/// nearest to it, once. False if the vehicle rests there already; then the target may be cut off.
+/// nearest to it, once. False if the vehicle rests there already; then the target may be cut off. A vehicle that found
+/// no other way, and looks around, does the same where unseen voxels near it are solid: with all of them free, plans
+/// may lead right into what nobody saw.
 bool Cycle::moves_to_reachable(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept {
   const double nearer = distance(aim.start.d[0], aim.target_place) - distance(found.reachable, aim.target_place);
   const bool is_there = flight.rests_at(takeover) && nearer <= flight.map.route().spec().cell;
-  cut_off = is_there && (aim.at_target || aim.beside_target);
+  if (all_free) cut_off = is_there && (aim.at_target || aim.beside_target);
   if (is_there) return false;
   aim.move_to_reachable(found.reachable);
   ask(flight);

@@ -20,16 +20,12 @@ constexpr double kLeadNear = 0.7;
 constexpr double kLeadFar = 0.4;
 constexpr double kNearGoal = 2.0;  // metres
 constexpr double kLeadSlack = 0.1;
-/// A vehicle that moves circles if what is committed has ended, for so long, within so many seconds of flight of one
-/// place, or within kLeastCircle metres.
-constexpr std::int64_t kCirclesFor = 5000000000;
-constexpr double kCircle = 1.5;
-constexpr double kLeastCircle = 2.0;
 /// How long the nose may take to turn to what is needed before a search begins.
 constexpr std::int64_t kTurnWait = 1000000000;
-/// Plans without coming nearer after which the vehicle wanders, and fewer near the goal.
-constexpr int kWanders = 40;
-constexpr int kWandersNear = 6;
+/// The vehicle wanders after so many plans without coming nearer to its next point, if that is within the horizon.
+/// Further away, a detour may be what it takes: then so many of the plans must have shown nothing new.
+constexpr int kWanders = 6;
+constexpr int kShowsNothing = 3;
 /// The earliest search after a lookout, and after a search without an answer.
 constexpr std::int64_t kAfterLookout = 300000000;
 constexpr std::int64_t kAfterNothing = 1000000000;
@@ -90,7 +86,7 @@ void Lookouts::try_anew() noexcept {
   found_nothing = is_last_try = false;
   in_vain = 0;
   wandering_due = 0;
-  anchored = circles_since = -1;
+  anchored = -1;
   not_before = 0;
 }
 
@@ -104,12 +100,6 @@ void Lookouts::note_tick(const FlightFacts& flight, const PlanCounts& plans) noe
   }
   if (flight.itinerary.wandering == 0) wandering_due = 0;
   const Vec3 end = flight.plans.latest().end();
-  const Vec3& v_max = flight.spec.limits.v_max;
-  const double circle = larger(kLeastCircle, kCircle * smaller(v_max.x, v_max.y));
-  if (circles_since < 0 || distance(end, circles_about) > circle) {
-    circles_about = end;
-    circles_since = flight.time;
-  }
   if (anchored >= 0 && distance(end, anchor) <= kStandsStill) return;
   anchor = end;
   anchored = flight.time;
@@ -118,22 +108,25 @@ void Lookouts::note_tick(const FlightFacts& flight, const PlanCounts& plans) noe
   found_nothing = false;
 }
 
+bool Lookouts::wanders(const FlightFacts& flight) const noexcept {
+  const Itinerary& itinerary = flight.itinerary;
+  const bool is_within_horizon = distance(flight.position(), goal_of(flight)) < flight.spec.horizon;
+  return itinerary.wandering >= wandering_due + kWanders && (is_within_horizon || itinerary.fruitless >= kShowsNothing);
+}
+
 bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) const noexcept {
   const Commitment& latest = flight.plans.latest();
   const bool may_begin = phase == LookoutPhase::kIdle && left > 0 && flight.time >= not_before &&
                          (!flight.itinerary.is_reached_by(latest) || looks_for_ground(flight)) &&
                          !flight.itinerary.is_right_before(flight);
   if (!may_begin || flight.map.busy() || !flight.map.safe().inflated() || !flight.map.route().inflated()) return false;
-  const bool circles = circles_since >= 0 && flight.time - circles_since >= kCirclesFor;
-  if (circles && !flight.rests()) return true;
+  if (wanders(flight)) return true;
   const Sample now = flight.plans.sample_at(flight.time);
   const Vec3 end = latest.end();
-  const bool is_near = distance(end, goal_of(flight)) < kNearGoal;
-  const double lead = (is_near ? kLeadNear : kLeadFar) * length(now.velocity) + kLeadSlack;
-  if (distance(now.position, end) > lead) return false;
+  const double lead_seconds = distance(end, goal_of(flight)) < kNearGoal ? kLeadNear : kLeadFar;
+  if (distance(now.position, end) > lead_seconds * length(now.velocity) + kLeadSlack) return false;
   const std::int64_t still = flight.time - anchored;
   if (nose.waits_for_nose(flight) && still < kTurnWait) return false;
-  if (flight.itinerary.wandering >= wandering_due + (is_near ? kWandersNear : kWanders)) return true;
   return still >= kStillFor && plans.asked - plans.dropped - anchored_plans >= kStillPlans &&
          flight.frames >= anchored_frames + kStillFrames;
 }
@@ -212,7 +205,7 @@ void Lookouts::end(const FlightFacts& flight, bool looked, bool failed) noexcept
   if (failed) tried.note_failure(lookout.place, lookout.look);
   if (!failed && ++shown <= kMostShown) ++left;  // it does not count as in vain
   phase = LookoutPhase::kIdle;
-  anchored = circles_since = -1;
+  anchored = -1;
   not_before = flight.time + kAfterLookout;
 }
 

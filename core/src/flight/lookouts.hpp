@@ -57,9 +57,7 @@ struct Lookouts {
   std::int64_t anchored;
   std::uint32_t anchored_plans;
   std::uint64_t anchored_frames;
-  Vec3 circles_about;          ///< all that was committed since then ended near here
-  std::int64_t circles_since;  ///< negative: not known
-  std::int64_t not_before;     ///< the next search
+  std::int64_t not_before;  ///< the next search
 
   // On the way, and looking.
   std::int64_t began;
@@ -99,6 +97,7 @@ struct Lookouts {
   const Vec3& place() const noexcept { return search.lookout.place; }
 
  private:
+  bool wanders(const FlightFacts& flight) const noexcept;
   std::int32_t count_unseen(const FlightFacts& flight) const noexcept;
   void end(const FlightFacts& flight, bool looked, bool failed) noexcept;
   void note_aligned(const FlightFacts& flight, const Nose& nose) noexcept;
