@@ -7,10 +7,12 @@
 #undef TERN_MAX_ACTIVE
 #undef TERN_MAX_PLANES
 #undef TERN_MAX_SEPARATIONS
+#undef TERN_MAX_TRACKS
 #define TERN_MAX_SEGMENTS 16
 #define TERN_MAX_ACTIVE 96
 #define TERN_MAX_PLANES 24
 #define TERN_MAX_SEPARATIONS 1
+#define TERN_MAX_TRACKS 64
 
 #include <gtest/gtest.h>
 

@@ -125,9 +125,10 @@
 #define TERN_MAX_WORLD_WORDS TERN_DEFAULT(1024, 1536, 48 * 1024, 2 * 1024 * 1024)
 #endif
 
-/// Tracks of one request: things that move. Each takes 152 bytes of the workspace. Beyond it: kTracksFull.
+/// Tracks of one request: things that move. Each takes 160 bytes of the workspace, and 152 of a PlanRecord. Beyond it:
+/// kTracksFull.
 #ifndef TERN_MAX_TRACKS
-#define TERN_MAX_TRACKS TERN_DEFAULT(2, 8, 32, 64)
+#define TERN_MAX_TRACKS TERN_DEFAULT(2, 8, 32, 256)
 #endif
 
 /// Pieces of all tracks of one request together, 200 bytes each. A track that keeps its velocity has none, and another

@@ -2,10 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flood/flood_marks.hpp"
 
+#include "flood/flood_layers.hpp"
 #include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
+
+/// What a box around what can be reached has to spare, in cells: a cell counts as reached by its middle.
+constexpr double kSpare = 0.6;
+
+/// The way along an axis in `time` from velocity v0, at full acceleration up to the speed.
+double reach_of(double v0, double speed, double acceleration, double time) {
+  const double from = smaller(v0, speed);
+  const double ramp = (speed - from) / acceleration;
+  const double t = smaller(time, ramp);
+  return from * t + 0.5 * acceleration * t * t + speed * larger(0.0, time - ramp);
+}
 
 /// The cells along an axis whose middles are within `reach` of `at`.
 IndexRange cells_within(const FloodLattice& lattice, const Vec3& first, double at, double reach, int a) {
@@ -50,6 +62,23 @@ Operations clear_near_thing(const FloodLattice& lattice, const Grid& grid, const
   const Vec3 first = middle_of(lattice, grid, {0, 0, 0});
   clear_near(lattice, first, half_extent(track), place, larger(0.0, need + more), layer, spent);
   return spent;
+}
+
+void clear_out_of_reach(const FloodLattice& lattice, const Grid& grid, const FloodReach& from, double time,
+                        std::uint64_t* layer) noexcept {
+  const double spare = kSpare * lattice.size;
+  Voxel low{};
+  Voxel high{};
+  for (int a = 0; a < 3; ++a) {
+    const double speed = axis(from.fastest, a);
+    const double strength = axis(from.strongest, a);
+    const double base = axis(lattice.low, a) * grid.spec().cell;
+    const double up = axis(from.point, a) + reach_of(axis(from.velocity, a), speed, strength, time) + spare;
+    const double down = axis(from.point, a) - reach_of(-axis(from.velocity, a), speed, strength, time) - spare;
+    axis(low, a) = floor_index((down - base) / lattice.size, -1, axis(lattice.cells, a));
+    axis(high, a) = floor_index((up - base) / lattice.size, -1, axis(lattice.cells, a));
+  }
+  keep_box(lattice, low, high, layer);
 }
 
 }  // namespace tern

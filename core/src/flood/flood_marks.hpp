@@ -16,6 +16,18 @@ namespace tern {
 Operations clear_near_thing(const FloodLattice& lattice, const Grid& grid, const Things& things, const Track& track,
                             double time, double more, std::uint64_t* layer) noexcept;
 
+/// A point that motion begins at, in the grid's local frame, m/s and m/s^2 along each axis.
+struct FloodReach {
+  Vec3 point;
+  Vec3 velocity;
+  Vec3 fastest;    ///< > 0
+  Vec3 strongest;  ///< > 0, acceleration
+};
+
+/// Clears the cells that cannot be reached from there within `time` seconds.
+void clear_out_of_reach(const FloodLattice& lattice, const Grid& grid, const FloodReach& from, double time,
+                        std::uint64_t* layer) noexcept;
+
 }  // namespace tern
 
 #endif

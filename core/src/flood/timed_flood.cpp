@@ -15,8 +15,6 @@ namespace {
 constexpr std::int32_t kOtherLayers = 4;
 /// Cells may become larger by this factor so that the layers fit.
 constexpr std::int32_t kLargest = 4;
-/// What a box around what can be reached has to spare, in cells: a cell counts as reached by its middle.
-constexpr double kSpare = 0.6;
 
 // Weights of the trace: steps as the last ones, steps that lead evenly to the goal, and the goal's height.
 constexpr double kLikeLast = 0.3;
@@ -50,49 +48,30 @@ void spread(TimedFlood& flood, std::int32_t layer, const std::uint64_t* in, std:
   spread_layer(flood.lattice, steps, free_cells(flood), in, out, scratch_of(flood));
 }
 
-/// The way along an axis in `time` from velocity v0, at full acceleration up to the speed.
-double reach_of(double v0, double speed, double acceleration, double time) {
-  const double from = smaller(v0, speed);
-  const double ramp = (speed - from) / acceleration;
-  const double t = smaller(time, ramp);
-  return from * t + 0.5 * acceleration * t * t + speed * larger(0.0, time - ramp);
-}
-
 /// Clears what cannot be reached from a point with a velocity within `time`.
 void keep_reachable(const TimedFlood& flood, const Grid& grid, const Vec3& point, const Vec3& velocity, double time,
                     std::uint64_t* layer) {
-  const FloodQuery& query = flood.query;
-  const double spare = kSpare * flood.lattice.size;
-  Voxel low{};
-  Voxel high{};
-  for (int a = 0; a < 3; ++a) {
-    const double speed = axis(query.fastest, a);
-    const double strength = axis(query.strongest, a);
-    const double base = axis(flood.lattice.low, a) * grid.spec().cell;
-    const double up = axis(point, a) + reach_of(axis(velocity, a), speed, strength, time) + spare;
-    const double down = axis(point, a) - reach_of(-axis(velocity, a), speed, strength, time) - spare;
-    axis(low, a) = floor_index((down - base) / flood.lattice.size, -1, axis(flood.lattice.cells, a));
-    axis(high, a) = floor_index((up - base) / flood.lattice.size, -1, axis(flood.lattice.cells, a));
-  }
-  keep_box(flood.lattice, low, high, layer);
+  clear_out_of_reach(flood.lattice, grid, {point, velocity, flood.query.fastest, flood.query.strongest}, time, layer);
 }
 
-/// True if the goal stays clear from the layer on. Else `covered` says until when at least it is not.
-bool goal_stays_clear(TimedFlood& flood, std::int32_t layer, Operations& spent) {
+/// Begins to look whether the goal stays clear from the layer on, latest instant first.
+void begin_arrival(TimedFlood& flood) {
+  flood.instant = floor_index(flood.query.rest / flood.step, 0, kMaxFloodLayers) + 1;
+  flood.phase = FloodPhase::kArrive;
+}
+
+/// True if the goal is clear at the next instant. Else `covered` says until when at least it is not.
+bool goal_is_clear(TimedFlood& flood, std::int32_t layer, Operations& spent) {
   const FloodQuery& query = flood.query;
-  const double arrival = query.begin + layer * flood.step;
-  if (arrival <= flood.covered) return false;
-  const std::int32_t most = floor_index(query.rest / flood.step, 0, kMaxFloodLayers) + 1;
-  for (std::int32_t i = most; i >= 0; --i) {
-    const double time = arrival + i * flood.step;
-    for (std::int32_t j = 0; j < query.things.count; ++j) {
-      const Track& track = query.things.tracks[j];
-      spent += ops::kPiece + ops::kTurn * track.piece_count;
-      if (!is_too_near(query.things, track, query.to, time)) continue;
-      flood.covered = time;
-      return false;
-    }
+  const double time = query.begin + (layer + flood.instant) * flood.step;
+  for (std::int32_t j = 0; j < query.things.count; ++j) {
+    const Track& track = query.things.tracks[j];
+    spent += ops::kPiece + ops::kTurn * track.piece_count;
+    if (!is_too_near(query.things, track, query.to, time)) continue;
+    flood.covered = time;
+    return false;
   }
+  --flood.instant;
   return true;
 }
 
@@ -130,14 +109,26 @@ std::int32_t braking_layers(const TimedFlood& flood) {
 }
 
 /// Ends a layer. False if the flood leads nowhere.
-bool end_layer(TimedFlood& flood, Operations& spent) {
+bool end_layer(TimedFlood& flood) {
   const std::int32_t k = flood.layer;
   if (!keep_common(flood.lattice, clear_cells(flood), reached(flood, k))) return false;
   ++flood.layer;
   flood.phase = FloodPhase::kForward;
   if (!has_cell(flood.lattice, reached(flood, k), flood.goal)) return true;
   if (flood.first == 0) flood.first = k + braking_layers(flood);
-  if (k < flood.first || !goal_stays_clear(flood, k, spent)) return true;
+  if (k >= flood.first && flood.query.begin + k * flood.step > flood.covered) begin_arrival(flood);
+  return true;
+}
+
+/// Looks at the goal once more. Begins the backward pass if it stays clear, and goes on forward if not. False if there
+/// were too many arrivals.
+bool look_at_goal(TimedFlood& flood, Operations& spent) {
+  const std::int32_t k = flood.layer - 1;
+  if (!goal_is_clear(flood, k, spent)) {
+    flood.phase = FloodPhase::kForward;
+    return true;
+  }
+  if (flood.instant >= 0) return true;
   if (is_full(flood.arrivals == kMostArrivals)) return false;
   ++flood.arrivals;
   flood.arrival = k;
@@ -228,9 +219,11 @@ bool run_piece(TimedFlood& flood, const Grid& grid, Operations& spent) {
       step_forward(flood, grid);
       return true;
     case FloodPhase::kMark:
-      if (flood.track == flood.query.things.count) return end_layer(flood, spent);
+      if (flood.track == flood.query.things.count) return end_layer(flood);
       mark(flood, grid, spent);
       return true;
+    case FloodPhase::kArrive:
+      return look_at_goal(flood, spent);
     case FloodPhase::kBackward:
       spent += kLayerWordOperations * flood.lattice.words;
       flood_backward(flood, grid);

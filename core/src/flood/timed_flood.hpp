@@ -47,7 +47,7 @@ struct FloodQuery {
   std::int32_t edge;  ///< of a cell, voxels; larger if the layers do not fit
 };
 
-enum class FloodPhase : std::uint8_t { kFree, kForward, kMark, kBackward, kTrace, kEnd };
+enum class FloodPhase : std::uint8_t { kFree, kForward, kMark, kArrive, kBackward, kTrace, kEnd };
 
 /// Plain data; needs no initialisation before timed_flood_begin.
 struct TimedFlood {
@@ -59,13 +59,14 @@ struct TimedFlood {
   FloodQuery query;
   FloodPhase phase;
   std::int32_t layers;
-  std::int32_t layer;  ///< the next one
-  std::int32_t row;    ///< of the free cells, the next one
-  std::int32_t track;  ///< whose cells are cleared next
-  std::int32_t first;  ///< the first layer whose arrival is looked at; 0: not known yet
-  int arrivals;        ///< backward passes
-  double covered;      ///< until then, the goal is not clear
-  Vec3 ratio;          ///< steps along each axis for each layer
+  std::int32_t layer;    ///< the next one
+  std::int32_t row;      ///< of the free cells, the next one
+  std::int32_t track;    ///< whose cells are cleared next
+  std::int32_t first;    ///< the first layer whose arrival is looked at; 0: not known yet
+  std::int32_t instant;  ///< after an arrival, in layers: when the goal is looked at next
+  int arrivals;          ///< backward passes
+  double covered;        ///< until then, the goal is not clear
+  Vec3 ratio;            ///< steps along each axis for each layer
   Voxel start;
   Voxel goal;
   Vec3 pace;  ///< of the trace: recent steps
@@ -78,17 +79,18 @@ Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& 
 /// What it takes of kMaxFloodWords.
 std::int64_t words_of(const TimedFlood& flood) noexcept;
 
-/// A piece of work is a row of free cells, a layer, a thing in a layer, or a step of the trace. kFailed: there is no
-/// way.
+/// A piece of work is a row of free cells, a layer, a thing in a layer, the goal at an instant, or a step of the trace.
+/// kFailed: there is no way.
 Progress timed_flood_advance(TimedFlood& flood, const Grid& grid, Work& work) noexcept;
 
 /// Pieces of one flood.
 constexpr std::uint64_t kFloodPieces =
-    std::uint64_t{kMaxFloodWords} + (kMostArrivals + 3 + kMaxTracks) * std::uint64_t{kMaxFloodLayers + 1};
-/// The most operations of a piece: a layer, and a look whether the goal stays clear.
-constexpr Operations kFloodOperations =
-    kLayerWordOperations * Operations{kMaxFloodWords} + ops::kRow * Operations{kMaxFloodWords} +
-    (kMaxFloodLayers + 2) * (Operations{kMaxTracks} * ops::kPiece + Operations{kMaxTrackPieces} * ops::kTurn);
+    std::uint64_t{kMaxFloodWords} +
+    (kMostArrivals + 3 + kMaxTracks + kMaxFloodLayers + 2) * std::uint64_t{kMaxFloodLayers + 1};
+/// The most operations of a piece: a layer, or a look at the goal.
+constexpr Operations kFloodOperations = kLayerWordOperations * Operations{kMaxFloodWords} +
+                                        ops::kRow * Operations{kMaxFloodWords} + Operations{kMaxTracks} * ops::kPiece +
+                                        Operations{kMaxTrackPieces} * ops::kTurn;
 
 }  // namespace tern
 
