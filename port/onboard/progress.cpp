@@ -17,8 +17,9 @@ bool has_given_up(const tern::FlightReport& report) {
   using Reason = tern::FlightReason;
   const Reason r = report.reason;
   return report.mode == tern::FlightMode::kRest &&
-         (r == Reason::kNearest || r == Reason::kNoProgress || r == Reason::kHemmedIn || r == Reason::kViaBlocked ||
-          r == Reason::kViaUnreachable || r == Reason::kGroundUnseen || r == Reason::kGroundUneven);
+         (r == Reason::kNearest || r == Reason::kNoProgress || r == Reason::kGoalUnseen || r == Reason::kHemmedIn ||
+          r == Reason::kViaBlocked || r == Reason::kViaUnreachable || r == Reason::kGroundUnseen ||
+          r == Reason::kGroundUneven);
 }
 
 /// It is not under way: without a goal, at the goal, or because no frames come, which is said elsewhere.

@@ -185,7 +185,7 @@ TEST(Lift, LandsNowhereUnseen) {
   flown.images = tern_test::Images::kBlind;
   ASSERT_EQ(flown.flight.land({0.0, 0.0, kStand}, kGround, 0.5), Status::kOk);
   const FlightReason why = flown.fly(60.0);
-  EXPECT_TRUE(why == FlightReason::kGroundUnseen || why == FlightReason::kNoProgress || why == FlightReason::kNearest)
+  EXPECT_TRUE(why == FlightReason::kGroundUnseen || why == FlightReason::kGoalUnseen || why == FlightReason::kNearest)
       << tern::flight_reason_text(why);
   EXPECT_GT(flown.position().z, kTop - 1e-6);
 }

@@ -53,7 +53,7 @@ struct Stuck : FlightRoom {
   }
   void follow(std::int64_t later) {
     state().facts.time += later;
-    look().follow(state().facts, state().nose);
+    look().follow(state().facts, state().nose, {state().report.asked, 0});
   }
 };
 
@@ -313,7 +313,7 @@ TEST(FlightLookout, IsFlownTo) {
   state.lookouts.begin(state.facts, state.nose, kGoal);
   ASSERT_TRUE(room.tick_until([&] { return state.lookouts.leads(); }));
   const Vec3 place = state.lookouts.place();
-  EXPECT_GT(distance(place, room.position()), 1.0);
+  EXPECT_GT(distance(place, room.position()), 0.9);
   ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.latest().looks_out; }));
   expect_same(room.flight.rest_position(), place);
   EXPECT_EQ(state.facts.plans.latest().passages, 0);
@@ -397,8 +397,77 @@ TEST(FlightLookout, NamesWhatItLookedAtInVain) {
   for (int k = 0; k < 2; ++k) room.look().tried.note_voxel(twice, room.start, FlightRoom::kCell);
   for (int k = 0; k < 3; ++k) room.look().tried.note_voxel(seen, room.start, FlightRoom::kCell);
   state.park(FlightReason::kNoProgress);
+  EXPECT_EQ(state.facts.itinerary.reason, FlightReason::kGoalUnseen);
   EXPECT_EQ(state.block.by, BlockedBy::kUnseen);
   expect_same(state.block.at, twice);
+}
+
+/// If what the way needs can be seen from nowhere, that is the reason, and its first voxel is named; unless a fence is
+/// in the way.
+TEST(FlightLookout, SaysWhatCanBeSeenFromNowhere) {
+  struct Case {
+    LookoutAnswer answer;
+    BlockedBy by;
+    FlightReason why;
+  };
+  for (const Case& c : {Case{LookoutAnswer::kNoSight, BlockedBy::kUnseen, FlightReason::kGoalUnseen},
+                        Case{LookoutAnswer::kNoSight, BlockedBy::kFence, FlightReason::kNoProgress},
+                        Case{LookoutAnswer::kNoWay, BlockedBy::kUnseen, FlightReason::kNoProgress}}) {
+    Stuck room;
+    FlightState& state = room.state();
+    room.search();
+    ASSERT_TRUE(room.look().search.has_needed);
+    EXPECT_NEAR(room.look().search.needed.x, 3.125, 1e-9);  // the near side of what nobody saw
+    room.look().search.answer = c.answer;
+    room.look().found_nothing = true;
+    state.block = {c.by, room.start, kNoFence};
+    state.park(FlightReason::kNoProgress);
+    EXPECT_EQ(state.facts.itinerary.reason, c.why);
+    expect_same(state.block.at, c.why == FlightReason::kGoalUnseen ? room.look().search.needed : room.start);
+  }
+}
+
+/// Searches that find nothing, kInVain of them and as many after what was tried is forgotten: there is no hope. If one
+/// learns something in between, all is begun anew.
+TEST(FlightLookout, IsHopelessAfterSearchesInVain) {
+  Stuck room;
+  room.set_seen(true);
+  Lookouts& look = room.look();
+  // All of the way is known: it leads on, once before what was tried is forgotten and once after.
+  const auto search_in_vain = [&] {
+    const int before = look.in_vain;
+    for (int k = 0; k < 2 && look.in_vain == before; ++k) {
+      room.search();
+      look.phase = LookoutPhase::kIdle;
+    }
+    look.search.answer = LookoutAnswer::kNoSight;
+  };
+  for (int k = 0; k < 2 * kInVain; ++k) {
+    EXPECT_FALSE(look.is_hopeless()) << k;
+    search_in_vain();
+  }
+  EXPECT_TRUE(look.is_hopeless());
+  look.search.answer = LookoutAnswer::kNoWay;
+  EXPECT_FALSE(look.is_hopeless()) << "it may be cut off";
+  look.learned -= kLearned;
+  search_in_vain();
+  EXPECT_FALSE(look.is_hopeless());
+}
+
+/// On the way to a lookout, the vehicle flies only as far as it gets.
+TEST(FlightLookout, IsLeftIfTheWayThereLeadsNoFurther) {
+  for (const std::uint32_t plans : {2u, 3u}) {
+    Stuck room;
+    FlightState& state = room.state();
+    room.search();
+    ASSERT_EQ(room.look().phase, LookoutPhase::kOnWay);
+    room.look().search.lookout.place.x += 2.0;
+    room.look().note_tick(state.facts, {state.report.asked, 0});
+    state.report.asked += plans;
+    state.facts.frames += 4;
+    room.follow(500000000);
+    EXPECT_EQ(room.look().phase, plans == 3 ? LookoutPhase::kIdle : LookoutPhase::kOnWay);
+  }
 }
 
 /// After a look around, a search may find what it did not find before: the flight gives up only after that.

@@ -195,7 +195,7 @@ TEST(LookoutWave, EndsInTime) {
   EXPECT_GE(reached, kMaxWave - kOpenSteps);
 }
 
-/// If there are more places than room, every second octet is taken.
+/// If there are more places than room, every second octet is taken, and near the vehicle more.
 TEST(LookoutPlaces, AreThinned) {
   Pool pool({64, 16, 8});
   for (int z = 0; z < 8; ++z) {
@@ -214,12 +214,16 @@ TEST(LookoutPlaces, AreThinned) {
   EXPECT_GT(places.count, kMaxPlaces / 5);
   EXPECT_LE(places.count, kMaxPlaces);
   EXPECT_GE(places.level, 3);
-  EXPECT_EQ(places.stride(), places.level % 2 == 0 ? places.stride_up() : 2 * places.stride_up());
+  const Lattice far = places.lattice(6), near = places.lattice(5);
+  EXPECT_EQ(far.stride, places.level % 2 == 0 ? far.stride_up : 2 * far.stride_up);
+  EXPECT_EQ(near.stride, far.stride >= 4 ? far.stride / 4 : 1);
+  EXPECT_EQ(near.stride_up, far.stride_up >= 4 ? far.stride_up / 4 : 1);
   EXPECT_EQ(places.place[0].octet, pool.octets.index({31, 7, 3}));
   for (std::int32_t k = 1; k < places.count; ++k) {
     const Voxel at = pool.octets.octet(places.place[k].octet);
-    EXPECT_EQ((at.x | at.y) % places.stride(), 0);
-    EXPECT_EQ(at.z % places.stride_up(), 0);
+    const Lattice& lattice = places.place[k].steps > 5 ? far : near;
+    EXPECT_EQ((at.x | at.y) % lattice.stride, 0);
+    EXPECT_EQ(at.z % lattice.stride_up, 0);
     EXPECT_GT(places.place[k].steps, 0);
   }
 }

@@ -157,7 +157,7 @@ class Flight {
   /// What became of a point of the mission. kAhead for a number that is no point.
   PointState point_state(int32_t point) const noexcept;
   /// The voxels that the vehicle looked at in vain on its way to the next point, from lookouts: for
-  /// FlightReason::kNoProgress, why it gave up, and the views that it tried. Writes the first `capacity` of them to
+  /// FlightReason::kGoalUnseen, why it gave up, and the views that it tried. Writes the first `capacity` of them to
   /// `voxels`, which may be null if that is 0. Returns how many there are, 64 at most; 0 before start(). They are
   /// forgotten with a new goal, once a point is passed, and before the last search of a flight that gives up.
   int32_t looked_in_vain(UnseenVoxel* voxels, int32_t capacity) const noexcept;

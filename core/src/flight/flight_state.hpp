@@ -81,7 +81,6 @@ class FlightState {
   void give_up() noexcept;
   FlightReason reason_of_landing(FlightReason why) const noexcept;
   void park(FlightReason why) noexcept;
-  void note_tried() noexcept;
   bool leave_out(std::int32_t point, FlightReason why) noexcept;
   void try_anew() noexcept;
 };

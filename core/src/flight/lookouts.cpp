@@ -114,6 +114,11 @@ bool Lookouts::wanders(const FlightFacts& flight) const noexcept {
   return itinerary.wandering >= wandering_due + kWanders && (is_within_horizon || itinerary.fruitless >= kShowsNothing);
 }
 
+bool Lookouts::stands_still(const FlightFacts& flight, const PlanCounts& plans) const noexcept {
+  return anchored >= 0 && flight.time - anchored >= kStillFor &&
+         plans.asked - plans.dropped - anchored_plans >= kStillPlans && flight.frames >= anchored_frames + kStillFrames;
+}
+
 bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) const noexcept {
   const Commitment& latest = flight.plans.latest();
   const bool may_begin = phase == LookoutPhase::kIdle && left > 0 && flight.time >= not_before &&
@@ -125,10 +130,8 @@ bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const 
   const Vec3 end = latest.end();
   const double lead_seconds = distance(end, goal_of(flight)) < kNearGoal ? kLeadNear : kLeadFar;
   if (distance(now.position, end) > lead_seconds * length(now.velocity) + kLeadSlack) return false;
-  const std::int64_t still = flight.time - anchored;
-  if (nose.waits_for_nose(flight) && still < kTurnWait) return false;
-  return still >= kStillFor && plans.asked - plans.dropped - anchored_plans >= kStillPlans &&
-         flight.frames >= anchored_frames + kStillFrames;
+  if (nose.waits_for_nose(flight) && flight.time - anchored < kTurnWait) return false;
+  return stands_still(flight, plans);
 }
 
 void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& look_at) noexcept {
@@ -172,11 +175,14 @@ void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
   phase = LookoutPhase::kIdle;
   if (!accept(flight)) {
     not_before = flight.time + kAfterNothing;
-    if (++in_vain == kInVain && !is_last_try) searches_again(flight);
+    if (flight.map.learned() - learned >= kLearned) in_vain = is_last_try ? kInVain : 0;
+    learned = flight.map.learned();
+    if (++in_vain >= kInVain && !is_last_try) searches_again(flight);
     return;
   }
-  in_vain = 0;
+  in_vain = is_last_try ? kInVain : 0;
   phase = LookoutPhase::kOnWay;
+  anchored = -1;
   --left;
   began = flight.time;
   aligned = -1;
@@ -203,7 +209,8 @@ void Lookouts::end(const FlightFacts& flight, bool looked, bool failed) noexcept
   const bool is_blind = looked && flight.map.learned() == learned;
   if (is_blind) left = left > kBlindPrice ? left - kBlindPrice : 0;
   if (failed) tried.note_failure(lookout.place, lookout.look);
-  if (!failed && ++shown <= kMostShown) ++left;  // it does not count as in vain
+  const bool showed_some = !failed || count_unseen(flight) < lookout.hidden_count;
+  if (showed_some && ++shown <= kMostShown) ++left;  // it does not count as in vain
   phase = LookoutPhase::kIdle;
   anchored = -1;
   not_before = flight.time + kAfterLookout;
@@ -223,7 +230,7 @@ void Lookouts::note_aligned(const FlightFacts& flight, const Nose& nose) noexcep
 }
 
 /// As soon as all voxels are seen, the flight goes on to its goal.
-void Lookouts::follow(const FlightFacts& flight, const Nose& nose) noexcept {
+void Lookouts::follow(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) noexcept {
   if (!is_active() || !flight.map.safe().bound()) return;
   const Viewpoint& lookout = search.lookout;
   const Vec3 at = flight.position();
@@ -238,7 +245,8 @@ void Lookouts::follow(const FlightFacts& flight, const Nose& nose) noexcept {
       return;
     }
     const double most = kLateOnWay * lookout.seconds + kSlackOnWay;
-    if (seconds_between(began, flight.time) > most) end(flight, false, true);
+    const bool gets_no_further = stands_still(flight, plans) && !needs_no_plan(flight);
+    if (gets_no_further || seconds_between(began, flight.time) > most) end(flight, false, true);
     return;
   }
   note_aligned(flight, nose);
@@ -267,6 +275,14 @@ bool Lookouts::searches_again(const FlightFacts& flight) noexcept {
 bool Lookouts::may_help(const FlightFacts& flight) const noexcept {
   const bool sees = flight.frames > 0 && flight.time - flight.frame_time < kNoFrames;
   return is_active() || is_searching() || (sees && left > 0 && !found_nothing);
+}
+
+bool Lookouts::has_unseen(const FlightFacts& flight, Vec3& centre) const noexcept {
+  const std::int32_t entry = tried.most_tried(flight.map);
+  const bool is_hidden = search.answer == LookoutAnswer::kNoSight && search.has_needed && found_nothing;
+  if (entry >= 0) centre = tried.voxel[entry].centre;
+  if (entry < 0 && is_hidden) centre = search.needed;
+  return entry >= 0 || is_hidden;
 }
 
 Vec3 Lookouts::look_at(const Vec3& position) const noexcept {

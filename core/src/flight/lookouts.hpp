@@ -16,12 +16,13 @@
 namespace tern {
 
 /// Lookouts without coming kNearer metres nearer to the next point, after which the vehicle looks for no more: those
-/// that did not show all that they should, and those that did.
+/// that showed nothing of what they should, and those that did.
 constexpr int kMostLookouts = 8;
 constexpr int kMostShown = 32;
 constexpr double kNearer = 0.5;
-/// Searches without an answer after which what was tried is forgotten, once.
-constexpr int kInVain = 5;
+/// Searches in a row that showed nothing and learned less than kLearned words of the map, after which what was tried is
+/// forgotten, once, and after as many more of which there is no hope.
+constexpr int kInVain = 3;
 /// Cycles on the way to a lookout that may fail while the vehicle rests.
 constexpr int kFailedCycles = 6;
 
@@ -48,7 +49,7 @@ struct Lookouts {
   int shown;           ///< lookouts that showed all that they should
   double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
   bool is_last_try;    ///< the look around is over, or there were kInVain searches in vain
-  int in_vain;         ///< searches in a row that had no answer
+  int in_vain;         ///< searches in a row that had no answer, and between which nothing was learned
   bool found_nothing;  ///< the last search at this place had no answer
   int wandering_due;   ///< the next lookout at so many plans without coming nearer
 
@@ -64,7 +65,7 @@ struct Lookouts {
   std::int64_t aligned;  ///< since when the sensor points there; negative: not yet
   std::uint64_t aligned_frames;
   int failed_cycles;
-  std::uint64_t learned;  ///< RollingMap::learned() at that time
+  std::uint64_t learned;  ///< RollingMap::learned() at that time, or at the last search without an answer
 
   /// Forgets all reasons to give up, and the lookout.
   void try_anew() noexcept;
@@ -76,7 +77,7 @@ struct Lookouts {
   /// Goes on with the search.
   void advance(const FlightFacts& flight, Work& work) noexcept;
   /// Goes on with the flight to the lookout, and with the look.
-  void follow(const FlightFacts& flight, const Nose& nose) noexcept;
+  void follow(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) noexcept;
   /// A cycle on the way to the lookout failed while the vehicle rests.
   void note_failure(const FlightFacts& flight) noexcept;
 
@@ -92,12 +93,20 @@ struct Lookouts {
   bool searches_again(const FlightFacts& flight) noexcept;
   /// Another lookout may still help a vehicle that rests.
   bool may_help(const FlightFacts& flight) const noexcept;
+  /// However often a lookout was sought, what the way needs can be seen from nowhere.
+  bool is_hopeless() const noexcept {
+    return is_last_try && in_vain >= 2 * kInVain && search.answer == LookoutAnswer::kNoSight;
+  }
+  /// Writes the voxel that no view shows: one that was looked at in vain or, if there is none, one that can be seen
+  /// from nowhere. False if it is not for want of a view that the vehicle rests.
+  bool has_unseen(const FlightFacts& flight, Vec3& centre) const noexcept;
   /// The place to look at from `position`, world frame. Only while it is active.
   Vec3 look_at(const Vec3& position) const noexcept;
   const Vec3& place() const noexcept { return search.lookout.place; }
 
  private:
   bool wanders(const FlightFacts& flight) const noexcept;
+  bool stands_still(const FlightFacts& flight, const PlanCounts& plans) const noexcept;
   std::int32_t count_unseen(const FlightFacts& flight) const noexcept;
   void end(const FlightFacts& flight, bool looked, bool failed) noexcept;
   void note_aligned(const FlightFacts& flight, const Nose& nose) noexcept;

@@ -29,7 +29,8 @@ bool FlightState::look_out() noexcept {
   const bool is_called_for = !search.wants_survey(facts) && lookouts.is_called_for(facts, nose, plans);
   if (is_called_for) lookouts.begin(facts, nose, search.look_at);
   if (lookouts.is_searching()) lookouts.advance(facts, tick_work);
-  return lookouts.is_searching() || lookouts.needs_no_plan(facts);
+  if (lookouts.is_hopeless()) park(FlightReason::kNoProgress);
+  return facts.itinerary.parked || lookouts.is_searching() || lookouts.needs_no_plan(facts);
 }
 
 // One line a job: a table.
@@ -211,6 +212,11 @@ FlightReason FlightState::reason_of_landing(FlightReason why) const noexcept {
 void FlightState::park(FlightReason why) noexcept {
   if (facts.landing.is_asked && !facts.is_stale()) why = reason_of_landing(why);
   if (why == FlightReason::kNoProgress && facts.is_stale()) why = FlightReason::kMapStale;
+  Vec3 unseen{};
+  const bool is_fenced = block.by == BlockedBy::kFence;
+  if (why == FlightReason::kNoProgress && !is_fenced && lookouts.has_unseen(facts, unseen)) {
+    why = FlightReason::kGoalUnseen;
+  }
   const bool is_general = why == FlightReason::kHemmedIn || why == FlightReason::kMapStale;
   const bool is_occupied = why == FlightReason::kNearest && !cycle.cut_off;
   if (facts.itinerary.leg != facts.itinerary.last() && !is_general) {
@@ -219,17 +225,11 @@ void FlightState::park(FlightReason why) noexcept {
   }
   facts.itinerary.park(why);
   search.end_look();
-  if (why == FlightReason::kNoProgress) note_tried();
+  if (why == FlightReason::kGoalUnseen) block = {BlockedBy::kUnseen, unseen, kNoFence};
   if (is_occupied) block.note_near(facts.map, cycle.aim.target_place, facts.map.route(), tick_work);
   if (why == FlightReason::kHemmedIn) {
     block.note_near(facts.map, cycle.aim.start.d[0], facts.map.safe(), tick_work);
   }
-}
-
-/// What was looked at in vain is why there is no progress.
-void FlightState::note_tried() noexcept {
-  const std::int32_t entry = lookouts.tried.most_tried(facts.map);
-  if (entry >= 0) block = {BlockedBy::kUnseen, lookouts.tried.voxel[entry].centre, kNoFence};
 }
 
 /// True if the mission goes on without the point, or ended.

@@ -19,7 +19,7 @@ void FlightState::tick(std::int64_t t) noexcept {
   run_watch();
   if (watch.lacks_beside(facts)) watch.note_beside(note_block_near_vehicle());
   lookouts.note_tick(facts, {report.asked, report.dropped});
-  lookouts.follow(facts, nose);
+  lookouts.follow(facts, nose, {report.asked, report.dropped});
   nose.turn(facts, looking_at(facts.time), lookouts.is_active(), report.committed, tick_work);
   advance();
   finish_report(facts.spec.work_per_tick - least(tick_work.units(), facts.spec.work_per_tick));

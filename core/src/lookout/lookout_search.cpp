@@ -42,6 +42,7 @@ void LookoutSearch::begin(const RollingMap& map, const LookoutQuestion& asked, s
   octets_.place(safe, voxel_near(safe, asked.from), words);
   start_octet_ = octets_.of(voxel_near(safe, asked.from));
   lookout.hidden_count = 0;
+  has_needed = false;
   begin_target(map, Target::kGoal, asked.goal);
 }
 
@@ -71,7 +72,7 @@ Progress LookoutSearch::advance(const RollingMap& map, const Tried& tried, Work&
     } else if (stage_ == Stage::kReach) {
       reach(work);
     } else if (stage_ == Stage::kWay) {
-      find_way(work);
+      find_way(map, work);
       if (stage_ == Stage::kNeeds) take_way(work);
     } else if (stage_ == Stage::kNeeds) {
       find_needs(map, work);
@@ -126,14 +127,15 @@ void LookoutSearch::begin_way(Work& work) noexcept {
 
 /// One step towards the goal, or the rim. Where the rest of the way is as long as the straight line at least, no later
 /// place of the rim can be better once the wave alone is longer than the best one's.
-void LookoutSearch::find_way(Work& work) noexcept {
+void LookoutSearch::find_way(const RollingMap& map, Work& work) noexcept {
   const bool is_there = goal_inside_ && wave_.has(octets_, goal_octet_);
   const bool has_best = !goal_inside_ && rim_cost_ >= 0.0 && wave_.step > rim_cost_;
   if (is_there || has_best || (wave_.is_over && rim_cost_ >= 0.0)) {
     stage_ = Stage::kNeeds;
     return;
   }
-  if (wave_.is_over) return end(LookoutAnswer::kNoWay);
+  // If a way was given up, there is one, but it needs what can be seen from nowhere.
+  if (wave_.is_over) return round_ > 0 ? end_in_vain(map) : end(LookoutAnswer::kNoWay);
   wave_.advance(octets_, true, work);
   if (!goal_inside_) note_rim(work);
 }
@@ -190,6 +192,8 @@ void LookoutSearch::find_needs(const RollingMap& map, Work& work) noexcept {
   }
   if (++at_ < way_count_) return;
   if (wanted_.count == 0) return lead_on(map);
+  if (!has_needed) needed = wanted_.voxel[0].centre;
+  has_needed = true;
   if (wanted_.dense == 0) wanted_.dense = wanted_.count;
   at_ = finalists_ = 0;
   pass_ = 0;

@@ -67,6 +67,8 @@ struct LookoutSearch {
   Optics optics;
   Viewpoint lookout;
   LookoutAnswer answer;
+  Vec3 needed;      ///< the first voxel that the way to the goal needs and nobody saw, world frame. Only if has_needed
+  bool has_needed;  ///< there is one
 
   /// Words that a search needs for a map of these dimensions.
   static std::size_t words(const Voxel& dims) noexcept;
@@ -104,7 +106,7 @@ struct LookoutSearch {
   void read(const RollingMap& map, const Tried& tried, Work& work) noexcept;
   void reach(Work& work) noexcept;
   void begin_way(Work& work) noexcept;
-  void find_way(Work& work) noexcept;
+  void find_way(const RollingMap& map, Work& work) noexcept;
   void note_rim(Work& work) noexcept;
   void take_way(Work& work) noexcept;
   void find_needs(const RollingMap& map, Work& work) noexcept;

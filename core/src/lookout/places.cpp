@@ -7,6 +7,10 @@ namespace {
 
 /// Of the coarsest lattice there is room for all places.
 constexpr std::int32_t kLastLevel = 12;
+/// Within so many steps, places are thinned so many levels later: a vehicle in a shaft, around which much is in reach,
+/// needs places beside it.
+constexpr std::int32_t kNearSteps = 5;
+constexpr std::int32_t kNearLevels = 4;
 
 /// The bits of a row whose index is a multiple of `stride`.
 std::uint64_t every(std::int32_t stride) {
@@ -17,8 +21,10 @@ std::uint64_t every(std::int32_t stride) {
 
 }  // namespace
 
-bool Places::is_on_lattice(const Voxel& octet) const noexcept {
-  return octet.x % stride() == 0 && octet.y % stride() == 0 && octet.z % stride_up() == 0;
+Lattice Places::lattice(std::int32_t steps) const noexcept {
+  const std::int32_t later = steps > kNearSteps ? 0 : kNearLevels;
+  const std::int32_t at = level > later ? level - later : 0;
+  return {std::int32_t{1} << (at + 1) / 2, std::int32_t{1} << at / 2};
 }
 
 void Places::begin(std::int32_t octet) noexcept {
@@ -32,27 +38,29 @@ void Places::thin(const Octets& octets) noexcept {
   ++level;
   std::int32_t kept = 1;
   for (std::int32_t k = 1; k < count; ++k) {
-    if (is_on_lattice(octets.octet(place[k].octet))) place[kept++] = place[k];
+    if (lattice(place[k].steps).has(octets.octet(place[k].octet))) place[kept++] = place[k];
   }
   count = kept;
 }
 
 void Places::take_front(const Octets& octets, const Wave& wave, bool everywhere, Work& work) noexcept {
   std::int32_t taken = 0;
-  std::uint64_t mask = every(stride());
+  Lattice from = lattice(wave.step);
+  std::uint64_t mask = every(from.stride);
   for (std::int32_t z = wave.planes.begin; z < wave.planes.end; ++z) {
     for (std::int32_t y = wave.rows.begin; y < wave.rows.end; ++y) {
-      if (!is_on_lattice({0, y, z})) continue;
+      if (!from.has({0, y, z})) continue;
       const std::int32_t row = octets.row({0, y, z});
       std::uint64_t bits = wave.front[row] & (everywhere ? kAllBits : octets.known[row]) & mask;
-      for (; bits != 0 && is_on_lattice({0, y, z}); bits &= bits - 1) {  // 64 turns at most
+      for (; bits != 0 && from.has({0, y, z}); bits &= bits - 1) {  // 64 turns at most
         if (count == kMaxPlaces && level < kLastLevel) {
           thin(octets);
-          mask = every(stride());
+          from = lattice(wave.step);
+          mask = every(from.stride);
           ++taken;
         }
         const Voxel octet{__builtin_ctzll(bits), y, z};
-        if (count == kMaxPlaces || !is_on_lattice(octet)) continue;
+        if (count == kMaxPlaces || !from.has(octet)) continue;
         place[count++] = {octets.index(octet), wave.step};
         ++taken;
       }

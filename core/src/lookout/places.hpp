@@ -14,12 +14,22 @@
 namespace tern {
 
 /// Places that a search for a lookout compares, at most. If a wave reaches more, they are thinned, in turn to every
-/// second octet along x and y and along z.
-constexpr std::int32_t kMaxPlaces = 160;
+/// second octet along x and y and along z, and those near the vehicle later.
+constexpr std::int32_t kMaxPlaces = 200;
 
 struct ReachedPlace {
   std::int32_t octet;  ///< its index
   std::int32_t steps;  ///< of the wave; 0 where it began
+};
+
+/// Octets from one place to the next along x and y, and along z: powers of two.
+struct Lattice {
+  std::int32_t stride;
+  std::int32_t stride_up;
+
+  bool has(const Voxel& octet) const noexcept {
+    return octet.x % stride == 0 && octet.y % stride == 0 && octet.z % stride_up == 0;
+  }
 };
 
 struct Places {
@@ -31,12 +41,10 @@ struct Places {
   /// Takes what the wave's last step reached: the known octets of it or, `everywhere`, all of it.
   void take_front(const Octets& octets, const Wave& wave, bool everywhere, Work& work) noexcept;
 
-  /// Octets from one place to the next along x and y, and along z: powers of two.
-  std::int32_t stride() const noexcept { return std::int32_t{1} << (level + 1) / 2; }
-  std::int32_t stride_up() const noexcept { return std::int32_t{1} << level / 2; }
+  /// The lattice that places so many steps away are taken from.
+  Lattice lattice(std::int32_t steps) const noexcept;
 
  private:
-  bool is_on_lattice(const Voxel& octet) const noexcept;
   void thin(const Octets& octets) noexcept;
 };
 
