@@ -126,6 +126,29 @@ TEST(FlightLookout, IsCalledForIfTheVehicleWanders) {
   }
 }
 
+/// Before a corner, the route turns back to a way that is more than 4 m longer: the vehicle looks first, once. It does
+/// not if the route has another end, or leads back no further than the vehicle came.
+TEST(FlightLookout, IsCalledForIfTheRouteTurnsAway) {
+  Stuck room;
+  Lookouts& look = room.look();
+  const Vec3 to{20.0, 0.0, 1.0};
+  EXPECT_FALSE(look.turns_away({{0.0, 0.0, 1.0}, to, 30.0}));
+  EXPECT_FALSE(look.turns_away({{3.0, 0.0, 1.0}, to, 37.0}));  // 3 + 30 + 4
+  EXPECT_FALSE(look.turns_away({{3.0, 0.0, 1.0}, {20.0, 0.2, 1.0}, 60.0}));
+  EXPECT_FALSE(look.turns_away({{3.0, 0.0, 1.0}, to, 27.0}));
+  EXPECT_FALSE(room.is_called_for(1, 1, 1));
+  EXPECT_TRUE(look.turns_away({{5.0, 0.0, 1.0}, to, 33.01}));
+  EXPECT_TRUE(room.is_called_for(1, 1, 1));
+  room.search();
+  EXPECT_FALSE(look.turns_away({{5.0, 0.0, 1.0}, to, 60.0})) << "on the way to a lookout";
+  look.phase = LookoutPhase::kIdle;
+  look.not_before = 0;
+  EXPECT_FALSE(room.is_called_for(1, 1, 1));
+  EXPECT_FALSE(look.turns_away({{5.0, 0.0, 1.0}, to, 33.01}));
+  look.left = 0;
+  EXPECT_FALSE(look.turns_away({{5.0, 0.0, 1.0}, to, 60.0}));
+}
+
 /// From where the vehicle is, the camera sees what is ahead: it stays, and looks.
 TEST(FlightLookout, IsWhereTheVehicleIsIfThatWillDo) {
   Stuck room;

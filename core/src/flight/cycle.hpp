@@ -93,6 +93,8 @@ struct Cycle {
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   /// The planner is done. `found` says what it found.
   Status finish(Report& found) noexcept;
+  /// The route that was found.
+  FoundRoute route_found() const noexcept;
   /// The route is found: the plan leads to the point one horizon along it.
   void follow_route(const FlightFacts& flight) noexcept;
   /// No route, or no plan, was found: changes the aim, and asks for another one, if there is anything else to ask for.

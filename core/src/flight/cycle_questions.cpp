@@ -79,6 +79,13 @@ Status Cycle::finish(Report& found) noexcept {
   return job == Job::kRoute ? planner->finish_route(found) : planner->finish(plan, found);
 }
 
+FoundRoute Cycle::route_found() const noexcept {
+  const Path& path = *planner->path();
+  double sum = 0.0;
+  for (int i = 1; i < path.count; ++i) sum += distance(path.points[i - 1], path.points[i]);
+  return {aim.start.d[0], route.grid().spec().origin + path.points[path.count - 1], sum};
+}
+
 void Cycle::follow_route(const FlightFacts& flight) noexcept {
   aim.shorten(*planner->path(), route.grid().spec(), flight.spec.horizon, flight.itinerary);
   job = Job::kAskPlan;

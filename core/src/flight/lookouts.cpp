@@ -26,6 +26,10 @@ constexpr std::int64_t kTurnWait = 1000000000;
 /// Further away, a detour may be what it takes: then so many of the plans must have shown nothing new.
 constexpr int kWanders = 6;
 constexpr int kShowsNothing = 3;
+/// A route turns away if it is so much longer, metres, than the way to where the last one began and along that one.
+constexpr double kTurnsAway = 4.0;
+/// Two routes end at the same place if their ends are no further apart than this, metres.
+constexpr double kSameEnd = 0.1;
 /// The earliest search after a lookout, and after a search without an answer.
 constexpr std::int64_t kAfterLookout = 300000000;
 constexpr std::int64_t kAfterNothing = 1000000000;
@@ -87,6 +91,8 @@ void Lookouts::try_anew() noexcept {
   in_vain = 0;
   wandering_due = 0;
   anchored = -1;
+  route.length = 0.0;
+  turned_away = false;
   not_before = 0;
 }
 
@@ -125,13 +131,23 @@ bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const 
                          (!flight.itinerary.is_reached_by(latest) || looks_for_ground(flight)) &&
                          !flight.itinerary.is_right_before(flight);
   if (!may_begin || flight.map.busy() || !flight.map.safe().inflated() || !flight.map.route().inflated()) return false;
-  if (wanders(flight)) return true;
+  if (turned_away || wanders(flight)) return true;
   const Sample now = flight.plans.sample_at(flight.time);
   const Vec3 end = latest.end();
   const double lead_seconds = distance(end, goal_of(flight)) < kNearGoal ? kLeadNear : kLeadFar;
   if (distance(now.position, end) > lead_seconds * length(now.velocity) + kLeadSlack) return false;
   if (nose.waits_for_nose(flight) && flight.time - anchored < kTurnWait) return false;
   return stands_still(flight, plans);
+}
+
+/// Unseen voxels near the vehicle are solid for routes. So before a corner behind which nobody has looked, the route
+/// may turn back to another way, though nothing is known to be in this one.
+bool Lookouts::turns_away(const FoundRoute& found) noexcept {
+  if (phase != LookoutPhase::kIdle) return false;
+  const bool has_same_end = route.length > 0.0 && distance(found.to, route.to) <= kSameEnd;
+  turned_away = has_same_end && left > 0 && found.length > distance(found.from, route.from) + route.length + kTurnsAway;
+  route = found;
+  return turned_away;
 }
 
 void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& look_at) noexcept {
@@ -152,6 +168,7 @@ void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& lo
   search.begin(flight.map, question, words);
   phase = LookoutPhase::kSearching;
   wandering_due = flight.itinerary.wandering;
+  turned_away = false;
 }
 
 /// A search that was made for another end of what is committed, or for another goal, says nothing.

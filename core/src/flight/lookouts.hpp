@@ -39,6 +39,13 @@ struct PlanCounts {
   std::uint32_t dropped;
 };
 
+/// A route that the planner found, world frame: where it begins and ends, and its length, metres.
+struct FoundRoute {
+  Vec3 from;
+  Vec3 to;
+  double length;
+};
+
 struct Lookouts {
   LookoutPhase phase;
   LookoutSearch search;
@@ -59,6 +66,8 @@ struct Lookouts {
   std::uint32_t anchored_plans;
   std::uint64_t anchored_frames;
   std::int64_t not_before;  ///< the next search
+  FoundRoute route;         ///< the last one. A length of 0: none
+  bool turned_away;         ///< the last route turns away, and no search has begun since
 
   // On the way, and looking.
   std::int64_t began;
@@ -71,6 +80,9 @@ struct Lookouts {
   void try_anew() noexcept;
   /// Notes where the vehicle is, and whether what is committed still ends at the same place. To be called every tick.
   void note_tick(const FlightFacts& flight, const PlanCounts& plans) noexcept;
+  /// Notes a new route. True if the vehicle should look before it follows that: it is much longer than the way by the
+  /// last one, although the same place is its end.
+  bool turns_away(const FoundRoute& found) noexcept;
   /// A search should begin now.
   bool is_called_for(const FlightFacts& flight, const Nose& nose, const PlanCounts& plans) const noexcept;
   void begin(const FlightFacts& flight, const Nose& nose, const Vec3& look_at) noexcept;

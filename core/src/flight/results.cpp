@@ -71,6 +71,8 @@ Progress FlightState::end_planner() noexcept {
   }
   if (!is_found) {
     end_without_plan(found);
+  } else if (cycle.job == Job::kRoute && lookouts.turns_away(cycle.route_found())) {
+    cycle.leave();
   } else if (cycle.job == Job::kRoute) {
     cycle.follow_route(facts);
   } else {
