@@ -169,10 +169,74 @@ TEST(FloodMarks, ClearWhatIsNearAThing) {
     const double need = 0.2 + 0.05 + 0.1 + (track.shape == TrackShape::kBall ? 0.2 : 0.0);
     for_cells(lattice, [&](const Voxel& cell) {
       const Vec3 from = middle_of(lattice, world.grid, cell) - track.position - time * track.velocity;
-      const double gap = distance(from, closest_in(track, from));
+      const double gap = distance(from, closest_in(Things{}, track, from));
       if (std::fabs(gap - need) < 1e-9) return;
       EXPECT_EQ(has_cell(lattice, layer.data(), cell), gap > need);
       near += gap < need ? 1 : 0;
+    });
+  }
+  EXPECT_GT(near, 10);
+}
+
+/// A box that is given by corners and faces, turned about z or not.
+struct Turned {
+  Turned(const Vec3& half, double angle) {
+    const Vec3 along{std::cos(angle), std::sin(angle), 0.0};
+    const Vec3 across{-along.y, along.x, 0.0};
+    for (int k = 0; k < 8; ++k) {
+      corners[k] = ((k & 1) != 0 ? half.x : -half.x) * along + ((k & 2) != 0 ? half.y : -half.y) * across +
+                   Vec3{0.0, 0.0, (k & 4) != 0 ? half.z : -half.z};
+    }
+    const Vec3 normals[3] = {along, across, {0.0, 0.0, 1.0}};
+    for (int a = 0; a < 3; ++a) {
+      faces[2 * a] = {normals[a], axis(half, a)};
+      faces[2 * a + 1] = {-1.0 * normals[a], axis(half, a)};
+    }
+    solid = {{corners, 8}, faces, 6};
+  }
+  Vec3 corners[8];
+  Halfspace faces[6];
+  ConvexSolid solid;
+};
+
+/// The same cells as for a box where it is not turned; turned, all that are near, and none beyond a face.
+TEST(FloodMarks, ClearWhatIsNearASolid) {
+  Random random(4);
+  World world({100, 30, 20}, 0.1, 0.0);
+  world.grid.inflate();
+  int near = 0;
+  for (int n = 0; n < tern_test::scaled(60); ++n) {
+    const FloodLattice lattice = lay_out(world.grid, {1.0, 1.0, 1.0}, random.integer(1, 3));
+    const Vec3 half{random.real(0.1, 1.0), random.real(0.1, 1.0), random.real(0.1, 0.5)};
+    const double angle = random.chance(0.5) ? 0.0 : random.real(-1.5, 1.5);
+    const Turned turned(half, angle);
+    Track track;
+    track.shape = kConvex;
+    track.position = {random.real(0.0, 10.0), random.real(0.0, 3.0), random.real(0.0, 2.0)};
+    Things things;
+    things.tracks = &track;
+    things.count = 1;
+    things.radius = 0.2;
+    things.solids = &turned.solid;
+    Layer layer(static_cast<std::size_t>(lattice.words), ~std::uint64_t{0});
+    clear_near_thing(lattice, world.grid, things, track, 0.0, 0.1, layer.data());
+    for_cells(lattice, [&](const Voxel& cell) {
+      const Vec3 from = middle_of(lattice, world.grid, cell) - track.position;
+      const Vec3 in{std::cos(angle) * from.x + std::sin(angle) * from.y,
+                    std::cos(angle) * from.y - std::sin(angle) * from.x, from.z};
+      double beyond = -1.0;
+      Vec3 gap{};
+      for (int a = 0; a < 3; ++a) {
+        beyond = std::max(beyond, std::fabs(axis(in, a)) - axis(half, a));
+        axis(gap, a) = std::max(0.0, std::fabs(axis(in, a)) - axis(half, a));
+      }
+      const bool is_clear = has_cell(lattice, layer.data(), cell);
+      const bool is_near = length(gap) < 0.3 - 1e-9;
+      const bool is_far = beyond > 0.3 + 1e-9 || (angle == 0.0 && length(gap) > 0.3 + 1e-9);
+      EXPECT_FALSE(is_near && is_clear);
+      EXPECT_TRUE(!is_far || is_clear);
+      near += length(gap) < 0.3 ? 1 : 0;
+      EXPECT_NEAR(distance(from, closest_in(things, track, from)), length(gap), 1e-9);
     });
   }
   EXPECT_GT(near, 10);

@@ -66,7 +66,7 @@ class Floods : public testing::Test {
         double need = 0.0;
         if (!thing_now(query_.things, track, k * flood_->step, place, need)) continue;
         const Vec3 from = middle_of(lattice, world_.grid, b) - place;
-        EXPECT_GE(distance(from, closest_in(track, from)), need + query_.more * lattice.size - 1e-9);
+        EXPECT_GE(distance(from, closest_in(query_.things, track, from)), need + query_.more * lattice.size - 1e-9);
       }
     }
     const Voxel goal = cell_at(lattice, world_.grid, query_.to);

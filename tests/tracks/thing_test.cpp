@@ -168,15 +168,15 @@ TEST(Approach, FindsTheLeastRoomAndThePlaneThere) {
   Things things;
   things.radius = 0.2;
   const Stretch stretch = passing(things, track, {-3.0, 0.55, 0.0}, {2.0, 0.55, 0.0});
-  const Approach approach = approach_of(track, stretch);
+  const Approach approach = approach_of(things, track, stretch);
   EXPECT_NEAR(approach.room, 0.05, 1e-6);
   EXPECT_NEAR(approach.u, 0.6, 1e-2);
   double room = 0.0;
-  const Vec3 normal = parting_normal(track, stretch, room);
+  const Vec3 normal = parting_normal(things, track, stretch, room);
   EXPECT_NEAR(room, 0.05, 1e-3);
   EXPECT_GT(normal.y, 0.999);
   // What is far off is not looked at so closely.
-  const Approach far = approach_of(track, passing(things, track, {-3.0, 0.8, 0.0}, {2.0, 0.8, 0.0}));
+  const Approach far = approach_of(things, track, passing(things, track, {-3.0, 0.8, 0.0}, {2.0, 0.8, 0.0}));
   EXPECT_GE(far.room, 0.3);
   EXPECT_LT(far.room, 0.31);
 }
@@ -187,7 +187,7 @@ TEST(Approach, PassesBesideWhatIsOnTheWay) {
   Things things;
   const Stretch stretch = passing(things, track, {-2.0, 0.0, 0.0}, {2.0, 0.0, 0.0});
   double room = 0.0;
-  const Vec3 normal = parting_normal(track, stretch, room);
+  const Vec3 normal = parting_normal(things, track, stretch, room);
   EXPECT_NEAR(std::fabs(normal.y), 1.0, 1e-12);
   EXPECT_NEAR(room, -0.3, 1e-12);
 }
@@ -205,17 +205,17 @@ TEST(Approach, NoSampleIsNearerAndNoPlaneLies) {
     Stretch stretch;
     Operations spent = 0;
     if (!next_stretch(things, thing.track, {points, 1.0, 2.0}, 1.0, stretch, spent)) continue;
-    const Approach approach = approach_of(thing.track, stretch);
+    const Approach approach = approach_of(Things{}, thing.track, stretch);
     double least = 1e300;
     double room = 0.0;
-    const Vec3 normal = parting_normal(thing.track, stretch, room);
+    const Vec3 normal = parting_normal(Things{}, thing.track, stretch, room);
     EXPECT_NEAR(length(normal), 1.0, 1e-12);
     for (int i = 0; i <= 1000; ++i) {
       const Vec3 point = bernstein(stretch.points, i / 1000.0);
       const double need = bernstein(stretch.need, i / 1000.0);
-      least = std::min(least, distance(point, closest_in(thing.track, point)) - need);
+      least = std::min(least, distance(point, closest_in(Things{}, thing.track, point)) - need);
       // A plane that parts the control points parts the curve.
-      EXPECT_GE(distance(point, closest_in(thing.track, point)) - need, room - 1e-9);
+      EXPECT_GE(distance(point, closest_in(Things{}, thing.track, point)) - need, room - 1e-9);
     }
     EXPECT_LT(approach.room, least + 5e-2);
     parted += room > 0.0 ? 1 : 0;

@@ -185,7 +185,7 @@ TEST_F(Separated, PlansKeepOffThings) {
           const Vec3 from = at - track.position - s * track.velocity;
           const double error = track.error + s * (track.error_speed + 0.5 * s * track.error_growth);
           const double ball = track.shape == TrackShape::kBall ? track.radius : 0.0;
-          EXPECT_GE(distance(from, closest_in(track, from)), 0.15 + ball + error - 1e-6);
+          EXPECT_GE(distance(from, closest_in(Things{}, track, from)), 0.15 + ball + error - 1e-6);
         }
       }
       begin += duration;

@@ -10,6 +10,7 @@
 #include "host/plan_file.hpp"
 #include "host/scenario.hpp"
 #include "host/session.hpp"
+#include "support/random.hpp"
 #include "verify/plan.hpp"
 #include "verify/proofs.hpp"
 
@@ -65,8 +66,49 @@ TEST(MovingCases, WallsWithAGapInPlaceOrTime) {
   expect_within(kAlone, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 0 3");
   expect_within(13.5, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 2 9");
   expect_within(36.0, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 0 30");
-  expect_within(14.0, kStart + "keepout_halfspaces 1 0.2 0 12 -1 -0.2 0 -10 during 2 9");
+  expect_within(13.0, kStart + "keepout_halfspaces 1 0.2 0 12 -1 -0.2 0 -10 during 2 9");
   expect_within(12.0, kStart + "keepin 0 0 0 11 10 3 during -1 20\nkeepin 9 0 0 20 10 3 during 8 60");
+}
+
+/// The half-spaces of the cuboid between two corners.
+std::string faces_of(double x0, double y0, double x1, double y1) {
+  const auto text = [](double value) { return " " + std::to_string(value); };
+  return " 1 0 0" + text(x1) + " -1 0 0" + text(-x0) + " 0 1 0" + text(y1) + " 0 -1 0" + text(-y0) +
+         " 0 0 1 4 0 0 -1 1";
+}
+
+/// Around the corners at (9, 6.8) and (11, 6.8), the way is 16.46 m long instead of 16: 0.2 s at 2.5 m/s. Waiting would
+/// take 30 s.
+TEST(MovingCases, AroundAKeepOutForAWhile) {
+  const Answer as_thing = plan(kStart + "keepout 9 2 -1 11 6.5 4 during 2 30");
+  const Answer as_fence = plan(kStart + "keepout_halfspaces" + faces_of(9, 2, 11, 6.5) + " during 2 30");
+  EXPECT_EQ(as_thing.status, tern::Status::kOk);
+  EXPECT_EQ(as_fence.status, tern::Status::kOk);
+  EXPECT_LE(as_fence.seconds, kAlone + 0.2);
+  EXPECT_NEAR(as_fence.seconds, as_thing.seconds, 1e-6);
+  // No box has its slanted side. It ends at x = 11.6 where it begins at y = 2, and at 10.7 at 6.5.
+  expect_within(kAlone + 0.2, kStart + "keepout_halfspaces 1 0.2 0 12 -1 -0.2 0 -10 0 -1 0 -2 0 1 0 6.5 during 2 30");
+  // Its clock's error: it may be there before 2 s.
+  expect_within(kAlone + 0.2, kStart + "keepout_halfspaces" + faces_of(9, 2, 11, 6.5) + " during 5 30 3");
+}
+
+TEST(MovingCases, BothSpellingsOfAKeepOutGiveTheSamePlan) {
+  tern_test::Random random(5);
+  int around = 0;
+  for (int i = 0; i < tern_test::scaled(40); ++i) {
+    const double x = random.real(4.0, 14.0);
+    const double y = random.real(0.5, 5.0);
+    const double wide = random.real(1.0, 5.0);
+    const std::string during = " during " + std::to_string(random.real(0.0, 3.0)) + " 25";
+    const std::string corners = std::to_string(x) + " " + std::to_string(y) + " 1 " + std::to_string(x + 1.5) + " " +
+                                std::to_string(y + wide) + " 4";
+    const Answer as_thing = plan(kStart + "keepout " + corners + during);
+    const Answer as_fence = plan(kStart + "keepout_halfspaces" + faces_of(x, y, x + 1.5, y + wide) + during);
+    EXPECT_EQ(as_fence.status, as_thing.status) << corners << during;
+    EXPECT_NEAR(as_fence.seconds, as_thing.seconds, 1e-2 * as_thing.seconds) << corners << during;
+    around += as_fence.seconds > kAlone + 1e-3 && as_fence.seconds < 12.0 ? 1 : 0;
+  }
+  EXPECT_GT(around, 0);
 }
 
 TEST(MovingCases, Tunnels) {

@@ -44,8 +44,8 @@ struct Fence {
   double clock_error = 0.0;
 };
 
-/// True for a fence for a while. Plans are proven to respect it, but the search for a way does not see it. If a request
-/// has keep-ins for a while, the centre is in one of those that hold, at all times. Flights refuse such fences.
+/// True for a fence for a while. Plans are proven to respect it, and led around a keep-out in time. If a request has
+/// keep-ins for a while, the centre is in one of those that hold, at all times. Flights refuse such fences.
 constexpr bool is_timed(const Fence& fence) noexcept {
   return fence.from != fence.until;
 }

@@ -40,15 +40,16 @@ constexpr size_t kReach = static_cast<size_t>(kMaxWorldWords) * 12 + static_cast
 constexpr size_t kFencePlanes = kMaxFencePlanes;
 constexpr size_t kFences =
     kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxWorldWords) * 8 + 1024;
-/// Tracks, as they were given, and their pieces.
-constexpr size_t kTracks = static_cast<size_t>(kMaxTracks) * 160 + static_cast<size_t>(kMaxTrackPieces) * 200 + 3072;
+/// Tracks, as they were given, and their pieces; keep-outs for a while as tracks.
+constexpr size_t kThings = static_cast<size_t>(kMaxTracks) + kMaxFences;
+constexpr size_t kTracks = kThings * 160 + kMaxFences * 32 + static_cast<size_t>(kMaxTrackPieces) * 200 + 3072;
 /// The flood in time: its layers, and the cells of a way.
 constexpr size_t kFlood = static_cast<size_t>(kMaxFloodWords) * 8 + 4096;
 /// The corridor: the solid boxes around one segment, and the scratch memory to merge and measure them.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
 constexpr size_t kTrajectory = kSegments * (17000 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) +
-                               static_cast<size_t>(kMaxSeparations) * 1340 + static_cast<size_t>(kMaxTracks) * 8 + 8192;
+                               static_cast<size_t>(kMaxSeparations) * 1340 + kThings * 8 + 8192;
 /// The check: for each segment, normals along which keep-outs are cut off.
 constexpr size_t kCheck = kSegments * kMaxFences * 272 + kFencePlanes * 256 + 8192;
 /// The results, which outlive the stages that made them: the path and its current leg, vias, corridor, trajectory, the
@@ -59,7 +60,7 @@ constexpr size_t kAround = kSegments * (kPlanes * 32 + 56 + 3 * 208 + 24 + 32) +
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 131 kB for the profile tiny, 368 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Bytes that a planner needs: 132 kB for the profile tiny, 369 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
 /// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
 /// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES

@@ -19,12 +19,17 @@ double reach_of(double v0, double speed, double acceleration, double time) {
   return from * t + 0.5 * acceleration * t * t + speed * larger(0.0, time - ramp);
 }
 
+/// The cells along an axis whose middles are between two places.
+IndexRange cells_between(const FloodLattice& lattice, const Vec3& first, double low, double high, int a) {
+  const std::int32_t count = axis(lattice.cells, a);
+  const double from = (low - axis(first, a)) / lattice.size;
+  const double to = (high - axis(first, a)) / lattice.size;
+  return {ceil_index(from, 0, count), floor_index(to, -1, count - 1) + 1};
+}
+
 /// The cells along an axis whose middles are within `reach` of `at`.
 IndexRange cells_within(const FloodLattice& lattice, const Vec3& first, double at, double reach, int a) {
-  const std::int32_t count = axis(lattice.cells, a);
-  const double from = (at - reach - axis(first, a)) / lattice.size;
-  const double to = (at + reach - axis(first, a)) / lattice.size;
-  return {ceil_index(from, 0, count), floor_index(to, -1, count - 1) + 1};
+  return cells_between(lattice, first, at - reach, at + reach, a);
 }
 
 /// How much of the squared distance `need` two gaps across leave for the third.
@@ -32,8 +37,33 @@ double left_of(double need, double gap_y, double gap_z) {
   return need * need - (larger(0.0, gap_y) * larger(0.0, gap_y) + larger(0.0, gap_z) * larger(0.0, gap_z));
 }
 
-void clear_near(const FloodLattice& lattice, const Vec3& first, const Vec3& half, const Vec3& place, double need,
-                std::uint64_t* layer, Operations& spent) {
+/// What is cleared: a box with round edges, less what lies beyond the faces of a solid in it.
+struct Near {
+  Vec3 place;  ///< of the box's middle
+  Vec3 half;
+  double need;
+  const ConvexSolid* solid;  ///< null: none
+  Vec3 centre;               ///< that the solid is relative to
+};
+
+/// The part of a row of cells, whose middles have `y` and `z`, that is not beyond any face by more than is needed.
+void cut_row(const Near& near, double y, double z, double& low, double& high) {
+  constexpr double kAcross = 1e-12;
+  for (int f = 0; f < near.solid->face_count; ++f) {
+    const Halfspace& face = near.solid->faces[f];
+    const Vec3 from = Vec3{0.0, y, z} - near.centre;
+    const double left = near.need + face.offset - dot(face.normal, from);
+    if (face.normal.x > kAcross) high = smaller(high, left / face.normal.x);
+    if (face.normal.x < -kAcross) low = larger(low, left / face.normal.x);
+    if (absolute(face.normal.x) <= kAcross && left <= 0.0) high = low - 1.0;
+  }
+}
+
+void clear_near(const FloodLattice& lattice, const Vec3& first, const Near& near, std::uint64_t* layer,
+                Operations& spent) {
+  const Vec3& place = near.place;
+  const Vec3& half = near.half;
+  const double need = near.need;
   const IndexRange ys = cells_within(lattice, first, place.y, need + half.y, 1);
   const IndexRange zs = cells_within(lattice, first, place.z, need + half.z, 2);
   for (std::int32_t z = zs.begin; z < zs.end; ++z) {
@@ -43,7 +73,14 @@ void clear_near(const FloodLattice& lattice, const Vec3& first, const Vec3& half
       const double left = left_of(need, gap_y, gap_z);
       spent += ops::kRow;
       if (left < 0.0) continue;
-      const IndexRange xs = cells_within(lattice, first, place.x, square_root(left) + half.x, 0);
+      const double reach = square_root(left) + half.x;
+      double low = place.x - reach;
+      double high = place.x + reach;
+      if (near.solid != nullptr) {
+        cut_row(near, first.y + y * lattice.size, first.z + z * lattice.size, low, high);
+        spent += ops::kDot * near.solid->face_count;
+      }
+      const IndexRange xs = cells_between(lattice, first, low, high, 0);
       if (xs.begin >= xs.end) continue;
       std::uint64_t* const row = layer + lattice.row(y, z);
       for (std::int32_t k = xs.begin >> 6; k <= (xs.end - 1) >> 6; ++k) row[k] &= ~bits_within(xs, k);
@@ -60,7 +97,11 @@ Operations clear_near_thing(const FloodLattice& lattice, const Grid& grid, const
   double need = 0.0;
   if (!thing_now(things, track, time, place, need)) return spent;
   const Vec3 first = middle_of(lattice, grid, {0, 0, 0});
-  clear_near(lattice, first, half_extent(track), place, larger(0.0, need + more), layer, spent);
+  const Box extent = extent_of(things, track);
+  const Vec3 middle = 0.5 * (extent.lower + extent.upper);
+  const ConvexSolid* const solid = track.shape == kConvex ? &things.solid_of(track) : nullptr;
+  const Near near{place + middle, 0.5 * (extent.upper - extent.lower), larger(0.0, need + more), solid, place};
+  clear_near(lattice, first, near, layer, spent);
   return spent;
 }
 

@@ -86,10 +86,10 @@ Progress timed_flood_advance(TimedFlood& flood, const Grid& grid, Work& work) no
 /// Pieces of one flood.
 constexpr std::uint64_t kFloodPieces =
     std::uint64_t{kMaxFloodWords} +
-    (kMostArrivals + 3 + kMaxTracks + kMaxFloodLayers + 2) * std::uint64_t{kMaxFloodLayers + 1};
+    (kMostArrivals + 3 + kMaxThings + kMaxFloodLayers + 2) * std::uint64_t{kMaxFloodLayers + 1};
 /// The most operations of a piece: a layer, or a look at the goal.
 constexpr Operations kFloodOperations = kLayerWordOperations * Operations{kMaxFloodWords} +
-                                        ops::kRow * Operations{kMaxFloodWords} + Operations{kMaxTracks} * ops::kPiece +
+                                        ops::kRow * Operations{kMaxFloodWords} + Operations{kMaxThings} * ops::kPiece +
                                         Operations{kMaxTrackPieces} * ops::kTurn;
 
 }  // namespace tern

@@ -49,8 +49,7 @@ void around_begin(const Problem& problem, const Ends& ends, const EndStop& start
                   double slack, CurveMemory& memory) noexcept {
   follow_seed(seed, slack, memory.chain);
   Scene& scene = memory.scene;
-  scene.things = {problem.tracks, problem.track_count, problem.grid->spec().clearance(), problem.asked.start.position,
-                  problem.asked.begin};
+  scene.things = things_of(problem, problem.asked.start.position);
   scene.reference = &seed;
   scene.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
   set_pauses(problem, start_stop, memory.chain, scene);

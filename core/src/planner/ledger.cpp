@@ -24,7 +24,7 @@ Times times_of(const Problem& problem) {
   times.searches = times.goals * (problem.given_at_rest ? 1 : 1 + kStopFirstTries);
   times.corridors = times.goals * (problem.given_at_rest ? 1 : 2 + kStopFirstTries);
   times.checks = times.corridors + times.goals * (problem.asked.previous != nullptr ? 3 : 1);
-  times.seeds = problem.track_count > 0 ? 2 + kTimedSeeds : 1;
+  times.seeds = problem.thing_count > 0 ? 2 + kTimedSeeds : 1;
   if (problem.track_count > 0 || problem.has_windows)
     times.checks *= 1 + times.seeds;  // a plan that waits is checked again
   return times;
@@ -38,7 +38,7 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searche
     case Stage::kShortcut:
       return std::uint64_t{times.searches + searched_again} * static_cast<std::uint64_t>(problem.via_count + 1);
     case Stage::kCorridor:
-      return times.corridors + searched_again + (problem.track_count > 0 ? kTimedSeeds * times.corridors : 0);
+      return times.corridors + searched_again + (problem.thing_count > 0 ? kTimedSeeds * times.corridors : 0);
     case Stage::kTimes:
     case Stage::kTrajectory:
       return std::uint64_t{times.seeds} * (times.corridors + times.goals);
@@ -109,11 +109,11 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   const StageBound bound = stage_bound(stage, problem.grid->spec());
   entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
   if (stage == Stage::kTrajectory) {
-    entry.bound += around_bound(problem.track_count).units(runs_of(stage, problem, searched_again ? 1 : 0));
+    entry.bound += around_bound(problem.thing_count).units(runs_of(stage, problem, searched_again ? 1 : 0));
   }
   if (stage == Stage::kCheck) entry.bound += tracks_bound(problem.track_count).units(times_of(problem).checks);
   if (stage == Stage::kTracks)
-    entry.bound += timed_bound(problem.track_count, problem.grid->spec()).units(times_of(problem).checks);
+    entry.bound += timed_bound(problem.thing_count, problem.grid->spec()).units(times_of(problem).checks);
   if (problem.has_windows && stage == Stage::kCheck) entry.bound += windows_bound().units(times_of(problem).checks);
   if (problem.has_windows && stage == Stage::kTracks) entry.bound += windows_bound().units(kTimedProofs);
   const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;

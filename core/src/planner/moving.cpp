@@ -21,6 +21,15 @@ constexpr double kLeastWait = 1e-2;
 /// What a plan is granted, as by the check.
 constexpr double kGrant = 0.5 * kTrackTolerance;
 
+/// A time and seconds later, or the last or first time there is.
+std::int64_t later_by(double seconds, std::int64_t time) {
+  constexpr double kLast = 9.2e18;
+  const double by = clamp(1e9 * seconds, -kLast, kLast);
+  const double at = static_cast<double>(time) + by;
+  if (absolute(at) > kLast) return at > 0.0 ? INT64_MAX : INT64_MIN;
+  return time + static_cast<std::int64_t>(by);
+}
+
 struct Try {
   double wait;
   double pace;
@@ -93,6 +102,21 @@ void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Oper
     for (std::int32_t p = 0; p < list[i].piece_count; ++p) asked.pieces[used++] = list[i].pieces[p];
   }
   spent += 2 * ops::kPiece * count + ops::kPiece * used;
+}
+
+std::int32_t add_keep_outs(const Fence* fences, const Solids& solids, const Vec3& centre, AskedTracks& asked) noexcept {
+  for (std::int32_t k = 0; k < solids.timed_count; ++k) {
+    const SolidParts& parts = solids.parts[solids.solid_count + k];
+    const Fence& fence = fences[parts.index];
+    Track& track = asked.track[asked.count + k] = Track{};
+    track.measured = later_by(-fence.clock_error, fence.from);
+    track.until = later_by(fence.clock_error, fence.until);
+    track.end = TrackEnd::kGone;
+    track.position = centre;
+    track.shape = kConvex;
+    asked.solids[k] = solid_of(solids, parts);
+  }
+  return asked.count + solids.timed_count;
 }
 
 Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept {

@@ -17,18 +17,25 @@
 #include "tern/track.hpp"
 #include "tern/track_proof.hpp"
 #include "tern/trajectory.hpp"
+#include "tracks/thing.hpp"
 
 namespace tern {
 
-/// The request's tracks, copied. The tracks point into `pieces`, so they may not move.
+/// The request's tracks, copied, and behind them the keep-outs for a while as things that stand still. The tracks point
+/// into `pieces`, so they may not move.
 struct AskedTracks {
-  std::int32_t count;
-  Track track[kMaxTracks];
+  std::int32_t count;  ///< of the request's
+  Track track[kMaxThings];
+  ConvexSolid solids[kMaxFences];  ///< of the keep-outs
   TrackPiece pieces[kMaxTrackPieces];
 };
 
 /// Copies the caller's tracks, which find_track_fault() has accepted. `spent` grows by the operations that it took.
 void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Operations& spent) noexcept;
+
+/// Adds the keep-outs for a while among the fences, whose solids have been read, in the grid's local frame. Their
+/// centre is that frame's origin. Returns how many things there are now.
+std::int32_t add_keep_outs(const Fence* fences, const Solids& solids, const Vec3& centre, AskedTracks& asked) noexcept;
 
 /// What the first plan to a goal met.
 struct Conflict {

@@ -129,7 +129,7 @@ void Pipeline::go_on_from_trajectory(bool done) noexcept {
   attempts_.waiting = {};
   attempts_.around = {};
   if (!done) return fail(Stage::kTrajectory, curves_.status);
-  if (problem_.track_count > 0) memory.around.alone.trajectory = memory.trajectory;
+  if (problem_.thing_count > 0) memory.around.alone.trajectory = memory.trajectory;
   if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {
     enter(Stage::kCheck);
   } else if (curves_.stop_and_go || hurries(memory.stage.trajectory.stage.chain)) {
@@ -171,7 +171,7 @@ void Pipeline::take_plan() noexcept {
 void Pipeline::meet_track() noexcept {
   if (conflict_.status == Status::kOk) conflict_ = conflict_of(refused_, left_);
   if (attempts_.waiting.is_tried || follows()) return go_on_from_tracks(false);
-  const bool leads = problem_.track_count > 0 && may_lead_around(quality_, results_.corridor);
+  const bool leads = problem_.thing_count > 0 && may_lead_around(quality_, results_.corridor);
   leads ? begin_around() : enter(Stage::kTracks);
 }
 

@@ -138,6 +138,12 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
   fault_ = read_world(request, memory.ends, problem_, memory.world, memory.asked, begun_);
+  problem_.thing_count = problem_.track_count;
+  if (problem_.has_windows) {
+    const Vec3& centre = problem_.grid->spec().origin;
+    problem_.thing_count = add_keep_outs(memory.asked.fence, memory.world.solids, centre, memory.tracks);
+    problem_.solids = memory.tracks.solids;
+  }
   if (fault_.status != Status::kOk) return refuse(fault_);
   take_ends(problem_, memory.ends);
   return Status::kRunning;

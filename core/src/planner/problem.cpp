@@ -45,6 +45,11 @@ void take_ends(const Problem& problem, Ends& ends) noexcept {
   ends.origin_in_grid = ends.start_in_grid;
 }
 
+Things things_of(const Problem& problem, const Vec3& origin) noexcept {
+  return {problem.tracks, problem.thing_count, problem.grid->spec().clearance(), origin, problem.asked.begin,
+          problem.solids, problem.track_count};
+}
+
 RequestFault read_world(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
                         AskedWorld& asked, Operations& spent) noexcept {
   if (request.fence_count == 0) return {Status::kOk, Field::kNone};

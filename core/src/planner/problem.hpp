@@ -17,6 +17,7 @@
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
+#include "tracks/thing.hpp"
 #include "world/world_memory.hpp"
 
 namespace tern {
@@ -31,6 +32,8 @@ struct Problem {
   std::int32_t via_count;
   const Track* tracks;
   std::int32_t track_count;
+  std::int32_t thing_count;       ///< of `tracks`, with the keep-outs for a while behind the request's
+  const ConvexSolid* solids;      ///< of these keep-outs
   const AskedWorld* asked_world;  ///< the fences, likewise; null: none
   bool has_windows;               ///< some of them are for a while
   MotionLimits limits;
@@ -69,6 +72,9 @@ inline World world_of(const Problem& problem) noexcept {
 inline const Grid& voxels_of(const Problem& problem) noexcept {
   return world_of(problem).voxels();
 }
+
+/// What a plan is led around, in a frame with this origin.
+Things things_of(const Problem& problem, const Vec3& origin) noexcept;
 
 /// The clock and the frame of a new plan. Its origin is the start, in world coordinates as they were given.
 inline void begin_trajectory(const Problem& problem, Trajectory& trajectory) noexcept {

@@ -172,7 +172,7 @@ StageBound around_bound(std::int32_t count) noexcept {
 StageBound timed_bound(std::int32_t count, const GridSpec& spec) noexcept {
   if (count == 0) return {0, 0};
   const Operations sight = ops::kPiece + 2 * ops::kTurn * (spec.dims.y + Operations{spec.dims.z});
-  const Operations leg = sight + kMaxFloodLayers * (ops::kPiece + ops::kDot) * Operations{kMaxTracks};
+  const Operations leg = sight + kMaxFloodLayers * (ops::kPiece + ops::kDot) * Operations{kMaxThings};
   return {kTimedSeeds * (kFloodPieces + kMaxFloodLayers * kMaxFloodLayers), kFloodOperations + leg};
 }
 

@@ -72,8 +72,7 @@ Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop&
   const FloodTry& of = kTries[seed];
   const Grid& grid = voxels_of(problem);
   FloodQuery query{};
-  query.things = {problem.tracks, problem.track_count, problem.grid->spec().clearance(), grid.spec().origin,
-                  problem.asked.begin};
+  query.things = things_of(problem, grid.spec().origin);
   query.from = ends.start_in_grid;
   query.to = ends.goal_in_grid;
   query.velocity = ends.start.velocity;

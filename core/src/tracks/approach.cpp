@@ -66,8 +66,8 @@ Instant at_share(const Stretch& stretch, double u) {
   return {points[0], need[0]};
 }
 
-double room_at(const Track& track, const Instant& at) {
-  return distance(at.point, closest_in(track, at.point)) - at.need;
+double room_at(const Things& things, const Track& track, const Instant& at) {
+  return distance(at.point, closest_in(things, track, at.point)) - at.need;
 }
 
 /// The most by which the room changes from an instant that is looked at to halfway to the next: no derivative is larger
@@ -82,8 +82,8 @@ double reach_between(const Stretch& stretch) {
 }
 
 /// The room of the control points along a normal.
-double room_along(const Track& track, const Stretch& stretch, const Vec3& normal) {
-  const double support = support_of(track, normal);
+double room_along(const Things& things, const Track& track, const Stretch& stretch, const Vec3& normal) {
+  const double support = support_of(things, track, normal);
   double room = dot(normal, stretch.points[0]) - stretch.need[0];
   for (int k = 1; k < kControlPoints; ++k) {
     room = smaller(room, dot(normal, stretch.points[k]) - stretch.need[k]);
@@ -97,19 +97,19 @@ struct Choice {
   double room;
 };
 
-void consider(const Track& track, const Stretch& stretch, const Vec3& direction, Choice& best) {
+void consider(const Things& things, const Track& track, const Stretch& stretch, const Vec3& direction, Choice& best) {
   const double size = length(direction);
   if (!(size > kNoLength)) return;
   const Vec3 normal = (1.0 / size) * direction;
-  const double room = room_along(track, stretch, normal);
+  const double room = room_along(things, track, stretch, normal);
   if (room > best.room) best = {normal, room};
 }
 
 /// Walks from `from` to the point of the control points' hull that is nearest to the shape.
-void approach_hull(const Track& track, const Stretch& stretch, const Vec3& from, Choice& best) {
+void approach_hull(const Things& things, const Track& track, const Stretch& stretch, const Vec3& from, Choice& best) {
   Vec3 at = from;
   for (int step = 0; step < kHullSteps; ++step) {
-    const Vec3 away = at - closest_in(track, at);
+    const Vec3 away = at - closest_in(things, track, at);
     if (!(length(away) > kNoLength)) return;
     int lowest = 0;
     for (int k = 1; k < kControlPoints; ++k) {
@@ -121,19 +121,19 @@ void approach_hull(const Track& track, const Stretch& stretch, const Vec3& from,
     const double share = clamp(-dot(away, edge) / squared, 0.0, 1.0);
     if (!(share > 0.0)) return;
     at = at + share * edge;
-    consider(track, stretch, at - closest_in(track, at), best);
+    consider(things, track, stretch, at - closest_in(things, track, at), best);
   }
 }
 
 /// If the thing is on the way: to its sides, level ones first.
-void consider_sides(const Track& track, const Stretch& stretch, Choice& best) {
+void consider_sides(const Things& things, const Track& track, const Stretch& stretch, Choice& best) {
   const Vec3 along = stretch.points[kDegree] - stretch.points[0];
   const Vec3 level{-along.y, along.x, 0.0};
   const Vec3 up = cross(along, level);
-  consider(track, stretch, level, best);
-  consider(track, stretch, -1.0 * level, best);
-  consider(track, stretch, up, best);
-  consider(track, stretch, -1.0 * up, best);
+  consider(things, track, stretch, level, best);
+  consider(things, track, stretch, -1.0 * level, best);
+  consider(things, track, stretch, up, best);
+  consider(things, track, stretch, -1.0 * up, best);
 }
 
 }  // namespace
@@ -170,7 +170,7 @@ bool next_stretch(const Things& things, const Track& track, const TimedCurve& cu
 bool is_far_from(const Things& things, const Track& track, const TimedCurve& curve, const Box& box, double spare,
                  Operations& spent) noexcept {
   const double end = curve.begin + curve.duration;
-  const Vec3 half = half_extent(track);
+  const Box extent = extent_of(things, track);
   double at = curve.begin;
   for (int i = 0; i < kMostSpans && at < end; ++i) {
     const ThingSpan span = thing_at(track, things.begin, at);
@@ -189,8 +189,9 @@ bool is_far_from(const Things& things, const Track& track, const TimedCurve& cur
           low = smaller(low, axis(point, a));
           high = larger(high, axis(point, a));
         }
-        const double reach = need + axis(half, a);
-        is_apart = is_apart || low - reach > axis(box.upper, a) || high + reach < axis(box.lower, a);
+        low += axis(extent.lower, a) - need;
+        high += axis(extent.upper, a) + need;
+        is_apart = is_apart || low > axis(box.upper, a) || high < axis(box.lower, a);
       }
       if (!is_apart) return false;
     }
@@ -199,10 +200,10 @@ bool is_far_from(const Things& things, const Track& track, const TimedCurve& cur
   return !(at < end);
 }
 
-Approach approach_of(const Track& track, const Stretch& stretch) noexcept {
+Approach approach_of(const Things& things, const Track& track, const Stretch& stretch) noexcept {
   Approach least{1e300, 0.0};
   for (int i = 0; i <= kInstants; ++i) {
-    const double room = room_at(track, at_instant(stretch, i));
+    const double room = room_at(things, track, at_instant(stretch, i));
     if (room < least.room) least = {room, static_cast<double>(i) / kInstants};
   }
   // Between two instants, the room changes by no more than half of what the points move.
@@ -213,7 +214,7 @@ Approach approach_of(const Track& track, const Stretch& stretch) noexcept {
     for (int i = 1 - kFiner; i < kFiner; ++i) {
       const double u = middle + i * (step / kFiner);
       if (i == 0 || u < 0.0 || u > 1.0) continue;
-      const double room = room_at(track, at_share(stretch, u));
+      const double room = room_at(things, track, at_share(stretch, u));
       if (room < least.room) least = {room, u};
     }
     step /= kFiner;
@@ -221,21 +222,21 @@ Approach approach_of(const Track& track, const Stretch& stretch) noexcept {
   return least;
 }
 
-Vec3 parting_normal(const Track& track, const Stretch& stretch, double& room) noexcept {
+Vec3 parting_normal(const Things& things, const Track& track, const Stretch& stretch, double& room) noexcept {
   Choice best{{1.0, 0.0, 0.0}, kNoRoom};
   Vec3 nearest = stretch.points[0];
   double least = 1e300;
   for (int i = 0; i <= kInstants; ++i) {
     const Vec3 point = at_instant(stretch, i).point;
-    const Vec3 away = point - closest_in(track, point);
+    const Vec3 away = point - closest_in(things, track, point);
     if (length(away) < least) {
       least = length(away);
       nearest = point;
     }
-    consider(track, stretch, away, best);
+    consider(things, track, stretch, away, best);
   }
-  approach_hull(track, stretch, nearest, best);
-  if (best.room < 0.0) consider_sides(track, stretch, best);
+  approach_hull(things, track, stretch, nearest, best);
+  if (best.room < 0.0) consider_sides(things, track, stretch, best);
   room = best.room;
   return best.normal;
 }

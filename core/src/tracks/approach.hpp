@@ -50,18 +50,23 @@ struct Approach {
   double room;
   double u;  ///< on the stretch
 };
-Approach approach_of(const Track& track, const Stretch& stretch) noexcept;
+Approach approach_of(const Things& things, const Track& track, const Stretch& stretch) noexcept;
 
 /// The normal, from the thing to the plan, along which the stretch's control points have the most room; `room` is how
 /// much, and negative if no plane was found that parts them.
-Vec3 parting_normal(const Track& track, const Stretch& stretch, double& room) noexcept;
+Vec3 parting_normal(const Things& things, const Track& track, const Stretch& stretch, double& room) noexcept;
 
 /// Of a part of a thing's curve, and of a stretch.
 constexpr Operations kPartOperations = 2 * ops::kCurve;
 constexpr Operations kStretchOperations = 4 * ops::kCurve;
-/// Of an approach and of a normal.
+/// Of an approach and of a normal, but for a convex solid's closest points.
 constexpr Operations kApproachOperations = 20 * ops::kCurve;
 constexpr Operations kNormalOperations = 60 * 8 * ops::kDot;
+/// Of the closest points to the instants of a stretch that are looked at: three steps each.
+constexpr Operations closest_operations(const Things& things, const Track& track) noexcept {
+  return track.shape == kConvex ? 75 * 3 * (things.solid_of(track).hull.count + 24) * ops::kDot : 0;
+}
+constexpr Operations kClosestOperations = 75 * 3 * (kMaxSolidCorners + 24) * ops::kDot;
 
 }  // namespace tern
 

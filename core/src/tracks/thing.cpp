@@ -141,4 +141,22 @@ bool thing_now(const Things& things, const Track& track, double at, Vec3& place,
   return true;
 }
 
+Box extent_of(const Things& things, const Track& track) noexcept {
+  if (track.shape == kConvex) {
+    const Hull& hull = things.solid_of(track).hull;
+    Box box{hull.points[0], hull.points[0]};
+    for (int k = 1; k < hull.count; ++k) {
+      for (int a = 0; a < 3; ++a) {
+        axis(box.lower, a) = smaller(axis(box.lower, a), axis(hull.points[k], a));
+        axis(box.upper, a) = larger(axis(box.upper, a), axis(hull.points[k], a));
+      }
+    }
+    return box;
+  }
+  Vec3 half = kZero;
+  if (track.shape == TrackShape::kBox) half = track.half;
+  if (track.shape == TrackShape::kCylinder) half = {track.radius, track.radius, track.half.z};
+  return {-1.0 * half, half};
+}
+
 }  // namespace tern

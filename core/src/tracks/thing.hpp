@@ -12,16 +12,27 @@
 #include "tern/track.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
+#include "world/solids.hpp"
 
 namespace tern {
+
+/// A convex solid, of a fence for a while: Things::solids has it, relative to the centre. No request has it.
+constexpr TrackShape kConvex = static_cast<TrackShape>(3);
+/// The most things: tracks, and keep-outs for a while.
+constexpr std::int32_t kMaxThings = kMaxTracks + kMaxFences;
 
 /// What a plan is to keep clear of, in the plan's frame and clock.
 struct Things {
   const Track* tracks = nullptr;
   std::int32_t count = 0;
-  double radius = 0.0;     ///< m, of the robot
-  Vec3 origin{};           ///< of the plan's frame, world frame
-  std::int64_t begin = 0;  ///< ns: when the plan begins
+  double radius = 0.0;                  ///< m, of the robot
+  Vec3 origin{};                        ///< of the plan's frame, world frame
+  std::int64_t begin = 0;               ///< ns: when the plan begins
+  const ConvexSolid* solids = nullptr;  ///< one for each thing from `first_solid` on
+  std::int32_t first_solid = 0;
+
+  /// Of a thing with the shape kConvex. The track is one of `tracks`.
+  const ConvexSolid& solid_of(const Track& track) const noexcept { return solids[(&track - tracks) - first_solid]; }
 };
 
 /// What a thing does from some instant on. Times are seconds since the plan's beginning.
@@ -59,8 +70,12 @@ ThingPart part_of(const Things& things, const Track& track, const ThingSpan& spa
 bool thing_now(const Things& things, const Track& track, double at, Vec3& place, double& need) noexcept;
 
 /// The point of the thing's shape that is closest to `point`, both relative to its centre.
-inline Vec3 closest_in(const Track& track, const Vec3& point) {
+inline Vec3 closest_in(const Things& things, const Track& track, const Vec3& point) {
   const Vec3& half = track.half;
+  if (track.shape == kConvex) {
+    const HullGap gap = hull_gap({&point, 1}, things.solid_of(track).hull);
+    return point + gap.distance * gap.normal;
+  }
   if (track.shape == TrackShape::kBall) return kZero;
   const double z = clamp(point.z, -half.z, half.z);
   if (track.shape == TrackShape::kBox) return {clamp(point.x, -half.x, half.x), clamp(point.y, -half.y, half.y), z};
@@ -75,11 +90,12 @@ inline bool is_too_near(const Things& things, const Track& track, const Vec3& po
   double need = 0.0;
   if (!thing_now(things, track, at, place, need)) return false;
   const Vec3 from = point - place;
-  return distance(from, closest_in(track, from)) < need;
+  return distance(from, closest_in(things, track, from)) < need;
 }
 
 /// How far the shape reaches from its centre along a normal.
-inline double support_of(const Track& track, const Vec3& normal) {
+inline double support_of(const Things& things, const Track& track, const Vec3& normal) {
+  if (track.shape == kConvex) return solid_reach(normal, things.solid_of(track));
   const Vec3& half = track.half;
   const double up = absolute(normal.z) * half.z;
   if (track.shape == TrackShape::kBall) return 0.0;
@@ -87,12 +103,8 @@ inline double support_of(const Track& track, const Vec3& normal) {
   return track.radius * horizontal_length(normal) + up;
 }
 
-/// Half the edges of the box around the shape; a ball counts as its centre.
-inline Vec3 half_extent(const Track& track) {
-  if (track.shape == TrackShape::kBall) return kZero;
-  if (track.shape == TrackShape::kBox) return track.half;
-  return {track.radius, track.radius, track.half.z};
-}
+/// The box around the shape, relative to its centre; a ball counts as its centre.
+Box extent_of(const Things& things, const Track& track) noexcept;
 
 }  // namespace tern
 

@@ -28,11 +28,11 @@ PartWeights part_weights(double u, double v) {
 
 /// Where the thing is over the rows' time, along the normal, with what is to be kept from it. The stretch is that of a
 /// plan that rests at the origin.
-void read_thing(const Stretch& stretch, const Track& track, SeparationRows& rows) {
+void read_thing(const Things& things, const Track& track, const Stretch& stretch, SeparationRows& rows) {
   rows.length = stretch.end - stretch.begin;
   rows.u = stretch.u;
   rows.v = stretch.v;
-  const double more = support_of(track, rows.normal) + kSeparationMargin;
+  const double more = support_of(things, track, rows.normal) + kSeparationMargin;
   for (int k = 0; k < kControlPoints; ++k) {
     rows.behind[k] = stretch.need[k] - dot(rows.normal, stretch.points[k]) + more;
   }
@@ -97,7 +97,7 @@ bool add_separations(const Chain& chain, const Scene& scene, Separations& separa
       rows.normal = separation.normal;
       rows.point_begin = problem.point_count;
       ease_leaving(separations.leave[separation.track], stretch);
-      read_thing(stretch, track, rows);
+      read_thing(scene.things, track, stretch, rows);
       add_rows(chain, rows, scale, problem);
       ++separations.rows_count;
       from = stretch.end;

@@ -38,8 +38,8 @@ bool nearest_stretch(const Scene& scene, const TimedCurve& curve, int track, dou
   double from = curve.begin;
   bool found = false;
   for (int i = 0; i < kMostSpans && stretch_of(scene, curve, track, gap, from, stretch, work); ++i) {
-    work.spend(kApproachOperations);
-    const Approach approach = approach_of(scene.things.tracks[track], stretch);
+    work.spend(kApproachOperations + closest_operations(scene.things, scene.things.tracks[track]));
+    const Approach approach = approach_of(scene.things, scene.things.tracks[track], stretch);
     if (!found || approach.room < least.room) {
       least = approach;
       nearest = stretch;
@@ -125,7 +125,7 @@ void look_at_pair(const Chain& chain, const Scene& scene, const Vec3 (*points)[k
   }
   work.spend(kNormalOperations);
   double room = 0.0;
-  const Vec3 normal = parting_normal(thing, stretch, room);
+  const Vec3 normal = parting_normal(scene.things, thing, stretch, room);
   separations.list[separations.count] = {static_cast<std::int16_t>(segment), static_cast<std::int16_t>(track), normal};
   ++separations.count;
   ++separations.added;
@@ -143,7 +143,7 @@ void separations_begin(const Scene& scene, const Vec3& start, Separations& separ
     if (span.kind == ThingSpan::kAbsent) continue;
     const ThingPart part = part_of(scene.things, track, span, 0.0, 0.0);
     const Vec3 from = start - part.points[0];
-    const double gap = distance(from, closest_in(track, from));
+    const double gap = distance(from, closest_in(scene.things, track, from));
     if (gap < part.need[0]) separations.leave[j] = larger(0.0, gap - kSeparationMargin);
   }
 }
@@ -196,7 +196,7 @@ void turn_planes(const Chain& chain, const Scene& scene, const Vec3 (*points)[kC
     const double gap = separations.leave[separation.track];
     if (!nearest_stretch(scene, curve, separation.track, gap, stretch, least, work)) continue;
     double room = 0.0;
-    const Vec3 normal = parting_normal(scene.things.tracks[separation.track], stretch, room);
+    const Vec3 normal = parting_normal(scene.things, scene.things.tracks[separation.track], stretch, room);
     if (room >= 0.0) separation.normal = normal;
   }
 }

@@ -61,7 +61,7 @@ struct Separations {
   bool is_stuck;             ///< what follows from the ends and the durations alone comes too near to something
   bool by_reference;         ///< it is the reference that is looked at
   Box box;                   ///< around the segment
-  double leave[kMaxTracks];  ///< gap at the start, of tracks that the plan begins too near to; else negative
+  double leave[kMaxThings];  ///< gap at the start, of tracks that the plan begins too near to; else negative
 };
 
 /// Rows keep this much more than the needed distance, m. Then the proof needs few halvings.
@@ -97,7 +97,7 @@ constexpr Operations kRowsOperations = 8 * ops::kCurve;
 /// The most operations of a piece of meet_advance().
 constexpr Operations kMeetOperations =
     3 * kMostSpans * (kStretchOperations + kPartOperations + kApproachOperations + ops::kTurn * kMaxTrackPieces) +
-    kNormalOperations;
+    3 * kClosestOperations + kNormalOperations;
 
 /// Adds what the rows do to the prices of time: a segment's duration also moves where the things are then, and all
 /// earlier durations do.

@@ -44,8 +44,21 @@ Status load_keep_out(const Grid& grid, const Vicinity& around, const Fence& from
   if (!find_corners(around, solids, parts)) return Status::kFencePlanesFull;
   if (parts.corners == 0) return Status::kOk;
   solids.face_count += parts.faces;
-  solids.parts[solids.solid_count++] = parts;
+  solids.parts[solids.solid_count + solids.timed_count] = parts;
+  is_timed(from) ? ++solids.timed_count : ++solids.solid_count;
   return Status::kOk;
+}
+
+/// Loads the keep-outs that hold always, or those for a while.
+FenceFault load_keep_outs(const Grid& grid, const Fence* list, std::int32_t count, bool timed, Solids& solids) {
+  const Vicinity around = vicinity_of(grid, solids, reach_of(grid.spec()));
+  solids.touching = contact_tolerance(grid.spec()) + corner_tolerance(around);
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (list[i].kind == FenceKind::kKeepIn || is_timed(list[i]) != timed) continue;
+    const Status status = load_keep_out(grid, around, list[i], i, solids);
+    if (status != Status::kOk) return {status, i};
+  }
+  return {Status::kOk, kNoFence};
 }
 
 /// Loads fences that find_fence_fault() has accepted. Not inlined: the stack of the two would add up.
@@ -53,19 +66,14 @@ __attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence
                                                    Solids& solids) {
   solids.wall_count = 0;
   solids.solid_count = 0;
+  solids.timed_count = 0;
   solids.face_count = 0;
   solids.corner_count = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     if (list[i].kind == FenceKind::kKeepIn && !is_timed(list[i])) load_keep_in(grid, list[i], i, solids);
   }
-  const Vicinity around = vicinity_of(grid, solids, reach_of(grid.spec()));
-  solids.touching = contact_tolerance(grid.spec()) + corner_tolerance(around);
-  for (std::int32_t i = 0; i < count; ++i) {
-    if (list[i].kind == FenceKind::kKeepIn || is_timed(list[i])) continue;
-    const Status status = load_keep_out(grid, around, list[i], i, solids);
-    if (status != Status::kOk) return {status, i};
-  }
-  return {Status::kOk, kNoFence};
+  const FenceFault fault = load_keep_outs(grid, list, count, false, solids);
+  return fault.status == Status::kOk ? load_keep_outs(grid, list, count, true, solids) : fault;
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ struct SolidParts {
 struct Solids {
   std::int32_t wall_count;
   std::int32_t solid_count;
+  std::int32_t timed_count;  ///< behind these: solids of fences for a while, which no world has
   std::int32_t face_count;
   std::int32_t corner_count;
   double touching;  ///< metres that a point may be too close: contact_tolerance plus the corners' tolerance
