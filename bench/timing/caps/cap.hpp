@@ -65,6 +65,7 @@ void check_caps();
 void map_caps();
 void yaw_caps();
 void via_caps();
+void track_caps();
 
 }  // namespace tern_caps
 

@@ -69,5 +69,6 @@ int main() {
   tern_caps::map_caps();
   tern_caps::yaw_caps();
   tern_caps::via_caps();
+  tern_caps::track_caps();
   return 0;
 }
