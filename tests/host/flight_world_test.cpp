@@ -201,6 +201,26 @@ void expect_refused(const std::string& records, const std::string& place, const 
   EXPECT_NE(text.find(why), std::string::npos) << records << text;
 }
 
+TEST(FlightWorld, SaysWhatToDoAboutTime) {
+  const auto refusal = [](const std::string& record) {
+    const std::string path = tern_test::own_folder() + "time.txt";
+    tern_host::write_files({{path, "boundary 0 0 0 20 12 4\n" + record + "\n"}});
+    try {
+      read_flight_world(path, {});
+    } catch (const tern_host::RecordError& error) {
+      return std::string(error.what()).substr(path.size());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("keepout 1 1 1 2 2 2"), "");
+  EXPECT_EQ(refusal("keepout 1 1 1 2 2 2 during 0 5"),
+            ":2: flights take no fences for a while: leave out 'during', and the fence always holds. 'tern plan' plans "
+            "with its times");
+  EXPECT_EQ(refusal("track a ball 0.3 at 3 3 1"),
+            ":2: there is no record 'track' for flights: they plan around what their map shows. Leave it out, or let "
+            "'tern plan' plan among things that move");
+}
+
 TEST(ClearEnds, AreAtLeastTheRadiusFromEverything) {
   EXPECT_EQ(ends_refusal(""), "");
   // The ground is as far away as it must be, and then not.

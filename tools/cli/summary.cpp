@@ -64,6 +64,7 @@ std::string timing_line(const tern_host::Timing& timing) {
          entry("check", timing.of(Stage::kCheck)) + others + "total " + fixed(timing.total(), 0) + "\n";
 }
 
+/// The distance is that from what stands still: tracks_line() is about the rest.
 std::string clearance_line(double clearance, const tern_host::Scenario& scenario) {
   const std::size_t fences = scenario.fences.size();
   std::string text = std::isfinite(clearance) ? fixed(clearance, 4) + " m from the blocks" : "no blocks";
@@ -74,12 +75,14 @@ std::string clearance_line(double clearance, const tern_host::Scenario& scenario
 
 /// What the plan keeps clear of that moves.
 std::string tracks_line(const PlanResult& result) {
-  const std::size_t count = result.scenario.tracks.size();
-  if (!result.scenario.depends_on_time()) return "";
+  const tern_host::Scenario& scenario = result.scenario;
+  const std::size_t count = scenario.tracks.size();
+  if (!scenario.depends_on_time()) return "";
   const tern::Report& report = result.report;
-  std::string text =
-      count == 0 ? "fences for a while kept"
-                 : std::to_string(count) + (count == 1 ? " thing that moves" : " things that move") + " kept clear of";
+  std::string text = count == 0 ? "fences for a while kept"
+                                : std::to_string(count) + (count == 1 ? " thing that moves: " : " things that move: ") +
+                                      fixed(scenario.clearance(), 3) +
+                                      (count == 1 ? " m and its error kept" : " m and their errors kept");
   if (report.waits > 0.0) text += ", waits " + fixed(report.waits, 2) + " s";
   const double until = report.rest_clear_until;
   text += std::isfinite(until) ? ", rest clear until " + fixed(until, 3) + " s" : ", rest stays clear";

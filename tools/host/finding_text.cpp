@@ -14,6 +14,11 @@ std::string number_of(const char* what, int index) {
   return std::string(what) + " " + std::to_string(index);
 }
 
+/// As in the request's list, counted from 1.
+std::string asked_number(const char* what, int index) {
+  return number_of(what, index + 1);
+}
+
 std::string derivative_name(int derivative) {
   static const char* const kNames[] = {"position", "velocity", "acceleration", "jerk"};
   return derivative >= 0 && derivative < 4 ? kNames[derivative] : "motion";
@@ -72,14 +77,15 @@ std::string describe_finding(const ProofReport& check) {
     case Finding::kJoint:
       return motion_text(check, "jumps from the segment before");
     case Finding::kFence:
-      return segment_text(check) + " breaks " + number_of("fence", check.fence) + time_text(check) + excess_text(check);
+      return segment_text(check) + " breaks " + asked_number("fence", check.fence) + time_text(check) +
+             excess_text(check);
     case Finding::kBoundary:
       return motion_text(check, "misses the state that was asked for");
     case Finding::kVia:
-      return derivative_name(check.derivative) + " at " + number_of("via", check.via) + " is not what was asked for" +
-             excess_text(check);
+      return derivative_name(check.derivative) + " at " + asked_number("via", check.via) +
+             " is not what was asked for" + excess_text(check);
     case Finding::kTrack:
-      return segment_text(check) + " is too near to " + number_of("track", check.track) + time_text(check) +
+      return segment_text(check) + " is too near to " + asked_number("track", check.track) + time_text(check) +
              excess_text(check);
     case Finding::kNone:
       break;

@@ -124,6 +124,20 @@ tern::Cylinder read_column(const Words& words, const Place& place) {
           within("column", values[2], {0.01, 100.0}, place)};
 }
 
+/// Flights take no fences for a while.
+void refuse_window(const Words& words, const Place& place) {
+  if (std::find(words.begin(), words.end(), "during") == words.end()) return;
+  throw RecordError(place, "flights take no fences for a while: leave out 'during', and the fence always holds. " +
+                               std::string("'tern plan' plans with its times"));
+}
+
+/// What to do about a record that only a plan's scenario may have.
+std::string hint_for(const std::string& key) {
+  if (key == "radius") return ": body_radius is the vehicle's, and the margins come on top";
+  if (key != "track" && key != "track_piece") return "";
+  return ": they plan around what their map shows. Leave it out, or let 'tern plan' plan among things that move";
+}
+
 void add_record(const Words& words, const Place& place, FlightWorld& world) {
   const std::string& key = words[0];
   const auto setter = setters().find(key);
@@ -137,6 +151,7 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (key == "appear") {
     world.appearing.push_back(read_appearance(words, place));
   } else if (is_fence(key)) {
+    refuse_window(words, place);
     add_fence(words, place, world.fences);
   } else if (key == "start") {
     world.start = vector(words, place);
@@ -157,8 +172,7 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (key == "via_policy") {
     world.via_policy = policy_of(words, place);
   } else {
-    const char* const hint = key == "radius" ? ": body_radius is the vehicle's, and the margins come on top" : "";
-    throw RecordError(place, "there is no record " + quote(key) + " for flights" + hint);
+    throw RecordError(place, "there is no record " + quote(key) + " for flights" + hint_for(key));
   }
 }
 
