@@ -20,6 +20,7 @@ constexpr double kAcceleration = 6.0;
 constexpr double kSight = 4.0;
 constexpr int kTicks = 900;
 constexpr int kSurpriseTick = 140;
+constexpr int kTrackTick = 5;
 constexpr Vec3 kStart{-2.75, 0.25, 0.25};
 constexpr Vec3 kGoal{2.75, 0.25, 0.25};
 
@@ -65,6 +66,7 @@ std::string Hop::fly(bool may_touch) {
   for (int k = 0; k < kTicks && !(k > kSurpriseTick && ended(report)); ++k) {
     if (k == kSurpriseTick) be_surprised();
     if (k % 10 == 0) look_around(last.position);
+    if (k == kTrackTick) note_thing();
     const std::int64_t t = k * spec_.tick;
     if (flight_.tick(t, report) != Status::kOk) return "a tick is refused";
     if (report.work > spec_.work_per_tick) return "a tick works too much";
@@ -88,6 +90,14 @@ void Hop::look_around(const Vec3& at) {
 void Hop::add(const tern::Box& box) {
   map_.map.mark_box(box);
   boxes_.push_back(box);
+}
+
+/// A ball far away that stays there.
+void Hop::note_thing() {
+  tern::Track track;
+  track.position = {100.0, 0.0, 0.0};
+  track.radius = 0.3;
+  flight_.update_track(track);
 }
 
 void Hop::be_surprised() {

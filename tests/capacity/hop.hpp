@@ -39,6 +39,7 @@ class Hop {
   /// What a sensor sees; obstacles stay.
   void look_around(const tern::Vec3& at);
   void add(const tern::Box& box);
+  void note_thing();
   void be_surprised();
   double clearance(const tern::Vec3& p) const;
   std::string wrong_with(const tern::Sample& last, const tern::Sample& now) const;

@@ -77,6 +77,22 @@ TEST(FlightC, TakesMeasuredPositions) {
   EXPECT_STRNE(tern_flight_reason_text(TERN_FLIGHT_MARGIN_EXCEEDED), "unknown");
 }
 
+TEST(FlightC, TakesThingsThatMove) {
+  FlightInC c;
+  ASSERT_EQ(c.begin(), kOk);
+  tern_track track{};
+  track.id = 9;
+  track.position = {c.start.x + 3.0, c.start.y, c.start.z};
+  track.velocity = {-1.0, 0.0, 0.0};
+  EXPECT_EQ(tern_flight_update_track(&c.flight, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_update_track(&c.flight, &track), kOk);
+  EXPECT_LT(tern_flight_rest_clear_until(&c.flight), 3000000000);
+  EXPECT_EQ(tern_flight_forget_track(&c.flight, 8), kInvalid);
+  EXPECT_EQ(tern_flight_forget_track(&c.flight, 9), kOk);
+  EXPECT_EQ(tern_flight_rest_clear_until(&c.flight), INT64_MAX);
+  EXPECT_STREQ(tern_blocked_by_text(TERN_BLOCKED_BY_TRACK), "something that moves");
+}
+
 /// The window is 51.2 m long.
 TEST(FlightC, HorizonsOfHalfTheWindowAreRefused) {
   FlightInC c;
@@ -281,6 +297,11 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   EXPECT_EQ(tern_flight_set_clock(nullptr, 0), kInvalid);
   EXPECT_EQ(tern_flight_note_position(&flight, &goal, 0), kInvalid);
   EXPECT_EQ(tern_flight_note_position(nullptr, &goal, 0), kInvalid);
+  const tern_track track{};
+  EXPECT_EQ(tern_flight_update_track(nullptr, &track), kInvalid);
+  EXPECT_EQ(tern_flight_update_track(&flight, &track), kInvalid);
+  EXPECT_EQ(tern_flight_forget_track(&flight, 0), kInvalid);
+  EXPECT_EQ(tern_flight_rest_clear_until(nullptr), INT64_MAX);
   tern_command command{};
   command.look_at = goal;
   tern_flight_command(&flight, 0, &command);

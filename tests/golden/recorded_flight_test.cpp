@@ -104,6 +104,20 @@ TEST(FlightRecord, NoFrameTakesMoreThanItsBound) {
   EXPECT_EQ(tern::frame_record_bytes(none), 0u);
 }
 
+/// A ball that flies past beside the way.
+tern::Track ball_beside(int tick, std::int64_t t) {
+  tern::Track ball;
+  ball.id = 3;
+  ball.measured = t;
+  ball.position = {0.02 * tick, 1.3, kEyeHeight};
+  ball.velocity = {1.0, 0.0, 0.0};
+  ball.radius = 0.2;
+  ball.error = 0.02;
+  ball.error_growth = 0.5;
+  ball.reach = 1.5;
+  return ball;
+}
+
 TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   std::vector<std::uint8_t> bytes(1 << 20);
   FlightRecorder recorder;
@@ -173,6 +187,9 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
     const std::int64_t t = k * kSmallFlight.tick;
     const tern::Vec3 measured = flight.command(t).sample.position;
     recorder.note_position(measured, t, flight.note_position(measured, t));
+    const tern::Track ball = ball_beside(k, t);
+    if (k % 5 == 0) recorder.update_track(ball, flight.update_track(ball));
+    if (k == 120) recorder.forget_track(ball.id, flight.forget_track(ball.id));
     recorder.tick(flight, t, report, flight.tick(t, report));
     if (k == 110) recorder.land({0.3, 0, 0.2}, 0.1, 0.5, flight.land({0.3, 0, 0.2}, 0.1, 0.5));
     if (k == 150) recorder.stop(flight.stop());

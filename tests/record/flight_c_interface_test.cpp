@@ -37,6 +37,7 @@ struct Arguments {
   tern_flight_spec flight_spec{};
   tern_flight_yaw yaw{};
   tern_via via{{1.0, 0.0, 1.0}, 0.1};
+  tern_track track{};
   tern_flight flight{};
   tern_flight_report report{};
 };
@@ -63,6 +64,8 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
           tern_flight_record_stop(r, kOk),
           tern_flight_record_set_clock(r, 0, kOk),
           tern_flight_record_note_position(r, &kPoint, 0, kOk),
+          tern_flight_record_update_track(r, &a.track, kOk),
+          tern_flight_record_forget_track(r, 0, kOk),
           tern_flight_record_tick(r, &a.flight, 0, &a.report, kOk)};
 }
 
@@ -119,6 +122,7 @@ TEST_F(FlightRecordC, EachPointerMustBeThere) {
   expect_refused(tern_flight_record_assume_free(r, nullptr, 1.0, kOk));
   expect_refused(tern_flight_record_assume_column(r, nullptr, kOk));
   expect_refused(tern_flight_record_land(r, nullptr, 0.5, 0.3, kOk));
+  expect_refused(tern_flight_record_update_track(r, nullptr, kOk));
   expect_refused(tern_flight_record_mark_box(r, nullptr, kOk));
   expect_refused(tern_flight_record_mark_cylinder(r, nullptr, kOk));
   expect_refused(tern_flight_record_mark_points(r, nullptr, 1, kOk));

@@ -17,6 +17,7 @@
 #include "tern/planner.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
+#include "tern/track.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
@@ -66,6 +67,9 @@ size_t flight_words(const Voxel& dims) noexcept;
 
 /// Points of a mission, at most: the vias and the goal.
 constexpr int32_t kMaxMissionPoints = kMaxVias + 1;
+
+/// Things that move that a flight knows at once, at most. Each committed plan keeps a copy of them.
+constexpr int32_t kMaxFlightTracks = kMaxTracks < 64 ? kMaxTracks : 64;
 
 /// What happens if a point of a mission, other than the goal, cannot be reached.
 enum class ViaPolicy : uint8_t {
@@ -190,6 +194,24 @@ class Flight {
   /// FlightReport::reason says so in flight. kOk; kNonFiniteInput; kInvalidArgument before start(). A flight without
   /// this call takes the vehicle to be where the plan is.
   Status note_position(const Vec3& position, int64_t t) noexcept;
+  /// A thing that moves was measured, or is expected: `track` says where and when, how wrong that may be, and what the
+  /// thing may do; its `id` says who it is. It takes the place of the last measurement with this id. Call it with every
+  /// measurement. From then on, plans keep clear of what the thing is expected to do, and every plan that is committed
+  /// is proven clear of all that it may do. A measurement that shows a thing outside the tube that the committed plan
+  /// was proven with is handled like a new obstacle: the plan is proven anew, and if that fails, the vehicle brakes. A
+  /// thing that is measured no more is not forgotten: its tube grows on. See docs/flight.md for what is promised.
+  ///
+  /// kOk; or a refusal, which leaves the thing as it was: kNonFiniteInput; kTracksFull (kMaxFlightTracks are known);
+  /// kClockBehind (older than the last measurement of this thing); kInvalidArgument (a track that a Request may not
+  /// have, one with pieces, one measured more than a tick after the last tick, or before start()).
+  Status update_track(const Track& track) noexcept;
+  /// The thing with this id is gone for certain, or was taken for something else: new plans and proofs leave it out.
+  /// kOk; kInvalidArgument if there is none, or before start().
+  Status forget_track(uint32_t id) noexcept;
+  /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, on the clock
+  /// of tick(): a vehicle that rests there may be run into later. INT64_MAX if nothing comes within kRestHorizon, or
+  /// before start(). Computes a proof: call it once a tick at most.
+  int64_t rest_clear_until() const noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before
   /// start().

@@ -69,6 +69,8 @@ class FlightRecorder {
   Status stop(Status answer) noexcept;
   Status note_position(const Vec3& position, int64_t t, Status answer) noexcept;
   Status set_clock(int64_t t, Status answer) noexcept;
+  Status update_track(const Track& track, Status answer) noexcept;
+  Status forget_track(uint32_t id, Status answer) noexcept;
   /// Records a tick, with command(t) and yaw(t) of the flight as they are after it.
   Status tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept;
 

@@ -21,6 +21,7 @@ enum class BlockedBy : uint8_t {
   kObstacle,     ///< a voxel with something that was seen or marked
   kWindow,       ///< the face of the map's window, beyond which nothing is known
   kFence,        ///< a fence
+  kTrack,        ///< something that moves: see Flight::update_track()
 };
 
 /// In English, for logs: "a voxel that was not seen free yet". Static strings; "unknown" for other numbers.
@@ -125,8 +126,8 @@ struct FlightReport {
   /// a goal, and if the last plan was proven to its end. But while something is nearer to the resting vehicle than the
   /// radius, this is the nearest such thing. No decision depends on it.
   BlockedBy blocked_by;
-  /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow and kFence, a point
-  /// of the way. Zero for kNothing.
+  /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow, kFence and kTrack, a
+  /// point of the way, or where it was to lead. Zero for kNothing.
   Vec3 blocked_at;
   /// For kFence: its index in FlightSpec::fences. Otherwise kNoFence.
   int32_t blocked_fence = kNoFence;

@@ -119,7 +119,8 @@ enum {
   TERN_BLOCKED_BY_UNSEEN = 1,   /* a voxel that no sensor has shown to be free yet */
   TERN_BLOCKED_BY_OBSTACLE = 2, /* a voxel with something that was seen or marked */
   TERN_BLOCKED_BY_WINDOW = 3,   /* the face of the map's window */
-  TERN_BLOCKED_BY_FENCE = 4
+  TERN_BLOCKED_BY_FENCE = 4,
+  TERN_BLOCKED_BY_TRACK = 5 /* something that moves */
 };
 /* What happens if a point of a mission cannot be reached. */
 enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* the flight goes on to the next point */ };
@@ -184,6 +185,13 @@ uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* rep
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
 /* Where the vehicle was measured to be at time `t`. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_note_position(tern_flight* flight, const tern_vec3* position, int64_t t);
+/* A measurement of a thing that moves, in place of its last one: tern::Flight::update_track(). ok, non_finite_input,
+ * tracks_full, clock_behind or invalid_argument. */
+uint8_t tern_flight_update_track(tern_flight* flight, const tern_track* track);
+/* That thing is gone for certain. ok or invalid_argument. */
+uint8_t tern_flight_forget_track(tern_flight* flight, uint32_t id);
+/* Until when the place where the committed plan ends stays clear of all things that move; INT64_MAX: for long. */
+int64_t tern_flight_rest_clear_until(const tern_flight* flight);
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
 uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);
 

@@ -18,6 +18,12 @@ double gap(double at, std::int32_t index, double cell) {
   return larger(0.0, larger(index * cell - at, at - (index + 1) * cell));
 }
 
+/// True if things that move are why there is no plan.
+bool is_by_track(Status status) {
+  return status == Status::kStartInContact || status == Status::kGoalCovered || status == Status::kNoClearTime ||
+         status == Status::kFloodFull || status == Status::kSeparationsFull;
+}
+
 /// The voxels along an axis that are less than `most` from a coordinate.
 IndexRange indices_around(double at, double most, double cell, std::int32_t count) {
   return {floor_index((at - most) / cell, 0, count), ceil_index((at + most) / cell, 0, count)};
@@ -144,6 +150,7 @@ void Blockage::note_unproven(const RollingMap& map, const Draft& draft) noexcept
   if (found.finding == Finding::kObstacle) *this = block_at(map, found.voxel);
   if (found.finding == Finding::kOutside) *this = {BlockedBy::kWindow, place, kNoFence};
   if (found.finding == Finding::kFence) *this = {BlockedBy::kFence, place, found.fence};
+  if (found.finding == Finding::kTrack) *this = {BlockedBy::kTrack, place, kNoFence};
 }
 
 /// A fence counts before any voxel: it does not go away, whatever is seen there.
@@ -167,6 +174,7 @@ void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Rep
   if (!safe.bound()) return;
   if (is_voxel() && safe.obstacle(safe.voxel_of(safe.to_local(at)))) return;
   *this = kNoBlockage;
+  if (is_by_track(found.status)) *this = {BlockedBy::kTrack, aim.place, kNoFence};
   if (found.status == Status::kGoalFenced) *this = {BlockedBy::kFence, aim.place, found.fence};
   if (found.status == Status::kViaFenced) *this = {BlockedBy::kFence, aim.asked[found.via].position, found.fence};
   if (found.status == Status::kGoalOccupied) note_near(flight.map, aim.place, safe, work);

@@ -25,6 +25,8 @@ ProofGrounds grounds_of(const FlightSpec& spec, const Commitment& commitment) no
   if (commitment.lifts) grounds.ground = &commitment.ground;
   grounds.fences = spec.fences;
   grounds.fence_count = spec.fence_count;
+  grounds.tracks = commitment.tubes.tracks;
+  grounds.track_count = commitment.tubes.count;
   return grounds;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "flight/flight_clock.hpp"
+#include "flight/track_table.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
 #include "tern/trajectory.hpp"
@@ -40,13 +41,14 @@ struct Commitment : Destination {
   double branch;                       ///< up to this time, both are the same; seconds since the beginning
   Passage passage[kMaxMissionPoints];  ///< when `planned` passes its points, in order
   std::int32_t passages;
-  bool evades;     ///< a brake that was made for a threat, proven or not
-  bool hemmed_in;  ///< the plan begins at rest at `departed`, with something within the radius
-  Vec3 departed;   ///< world frame
-  bool lifts;      ///< the plan leads straight up from `departed` on the ground, or straight down to it
-  double ground;   ///< the height that the ground there does not exceed
-  bool lands;      ///< it leads down to `departed`, to stay there
-  bool looks_out;  ///< the plan leads to a lookout
+  bool evades;       ///< a brake that was made for a threat, proven or not
+  bool hemmed_in;    ///< the plan begins at rest at `departed`, with something within the radius
+  Vec3 departed;     ///< world frame
+  bool lifts;        ///< the plan leads straight up from `departed` on the ground, or straight down to it
+  double ground;     ///< the height that the ground there does not exceed
+  bool lands;        ///< it leads down to `departed`, to stay there
+  bool looks_out;    ///< the plan leads to a lookout
+  TrackTable tubes;  ///< of things that move: `trajectory` was proven with them
 
   /// The takeover, which the planner's request fixed. Nanoseconds since the flight's start, as all times of a flight.
   std::int64_t begin() const noexcept { return planned.begin; }

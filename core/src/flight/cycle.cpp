@@ -61,6 +61,7 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
   const double emptied = hemmed_in ? window.clearance() : 0.0;
   route.begin(flight.map, flight.plans.sample_at(takeover).position, near, hole, emptied);
+  expected.expect(flight.tracks, flight.time);
   job = Job::kCopy;
 }
 
@@ -87,8 +88,9 @@ Progress Cycle::begin_remainder(const FlightFacts& flight, Draft& draft) noexcep
   const double from = in_flight.time_at(draft.takeover);
   const bool is_candidate = in_flight.mission == flight.itinerary.number && flight.itinerary.still_fits(in_flight) &&
                             !flight.stray.is_too_fast && from < in_flight.branch;
-  job = is_candidate && draft.begin_proof_of_remainder(flight, route.grid(), from) == Status::kRunning ? Job::kRemainder
-                                                                                                       : Job::kAim;
+  job = is_candidate && draft.begin_proof_of_remainder(flight, route.grid(), expected, from) == Status::kRunning
+            ? Job::kRemainder
+            : Job::kAim;
   return Progress::kDone;
 }
 
@@ -152,6 +154,7 @@ bool Cycle::choose_draft(const FlightFacts& flight, bool planned, Draft& draft) 
 Progress Cycle::begin_proof(const FlightFacts& flight, Draft& draft) noexcept {
   if (!flight.map.safe().bound()) return Progress::kMore;
   job = Job::kProve;
+  draft.plan.tubes.take(flight.tracks);
   const bool begun = draft.begin_proof(flight, draft.plan.planned, draft.start_of_proof()) == Status::kRunning;
   return begun ? Progress::kDone : Progress::kFailed;
 }

@@ -74,6 +74,7 @@ struct Cycle {
   bool looks_out;          ///< the plan leads to a lookout, or to a place on the way to one
   bool cut_off;            ///< no way leads to the target, and the vehicle rests as near to it as it can
   BranchSearch branches;
+  TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
 
   void leave() noexcept { job = Job::kIdle; }
   void forget_cut_off() noexcept { cut_off = false; }

@@ -14,6 +14,9 @@ constexpr std::uint32_t kOptimiserPart = 2;
 /// Operations of a plan or a route without the planner's: choosing an aim and a draft, and copies of trajectories.
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
+/// For so long, the end of a plan must stay clear of what things that move are expected to do, seconds.
+constexpr double kRestClear = 0.2;
+
 /// A request from the start to the aim, at rest, through the points that are asked for.
 Request request_to(const Aim& aim, const FlightFacts& flight) {
   const FlightSpec& spec = flight.spec;
@@ -60,6 +63,9 @@ Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
 Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept {
   Request request = request_to(aim, flight);
   request.begin = takeover;
+  request.tracks = expected.tracks;
+  request.track_count = expected.count;
+  request.rest_clear = expected.count > 0 ? kRestClear : 0.0;
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
   request.budget.trajectory = flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;

@@ -124,9 +124,14 @@ Status Draft::begin_proof(const FlightFacts& flight, double from, Beyond beyond,
   return proof.begin_accepted(flight.map.safe(), plan.trajectory, from, &flight.spec.limits, beyond, grounds);
 }
 
-Status Draft::begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, double from) noexcept {
-  return proof.begin_accepted(copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty,
-                              {nullptr, nullptr, nullptr, flight.spec.fences, flight.spec.fence_count});
+Status Draft::begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, const TrackTable& expected,
+                                       double from) noexcept {
+  ProofGrounds grounds;
+  grounds.fences = flight.spec.fences;
+  grounds.fence_count = flight.spec.fence_count;
+  grounds.tracks = expected.tracks;
+  grounds.track_count = expected.count;
+  return proof.begin_accepted(copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty, grounds);
 }
 
 double Draft::start_of_proof() const noexcept {

@@ -54,8 +54,10 @@ struct Draft {
   Status begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept;
   /// The same with other grounds than grounds_of().
   Status begin_proof(const FlightFacts& flight, double from, Beyond beyond, const ProofGrounds& grounds) noexcept;
-  /// Begins to prove the remainder of the planner's plan in flight free on the route copy, from this time on.
-  Status begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, double from) noexcept;
+  /// Begins to prove the remainder of the planner's plan in flight free on the route copy, and of what is expected of
+  /// things that move, from this time on.
+  Status begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, const TrackTable& expected,
+                                  double from) noexcept;
 
   /// Seconds from the draft's beginning to its takeover.
   double start_of_proof() const noexcept;

@@ -17,7 +17,7 @@ bool is_better(const JudgedBrake& a, const JudgedBrake& b) {
 
 /// True if something in the way ended the proof, and not a limit.
 bool is_contact(Finding end) {
-  return end == Finding::kObstacle || end == Finding::kOutside || end == Finding::kFence;
+  return end == Finding::kObstacle || end == Finding::kOutside || end == Finding::kFence || end == Finding::kTrack;
 }
 
 /// No trajectory comes near to this.
@@ -50,6 +50,7 @@ bool Evasion::begin(const FlightFacts& flight, const Watch& watch, Draft& draft)
   if (!needed || (watch.threat && plans.rest_begins() <= flight.time + lead)) return false;
   draft.begin(flight, ticks(flight.spec));
   draft.clear();
+  draft.plan.tubes.take(flight.tracks);
   is_running = true;
   return true;
 }
@@ -94,7 +95,10 @@ bool Evasion::begin_brake_proof(BrakeProof what, const FlightFacts& flight, cons
   proves = what;
   ProofGrounds grounds = grounds_of(flight.spec, draft.plan);
   if (what == BrakeProof::kAlarm) grounds.alarm = &watch.alarm;
-  if (what == BrakeProof::kLimits) grounds.added = &kNowhereBox;
+  if (what == BrakeProof::kLimits) {
+    grounds.added = &kNowhereBox;
+    grounds.track_count = 0;
+  }
   const double from = what == BrakeProof::kLimits ? tried.until : 0.0;
   const Beyond beyond = what == BrakeProof::kLimits ? Beyond::kEmpty : Beyond::kSolid;
   return draft.begin_proof(flight, from, beyond, grounds) == Status::kRunning;

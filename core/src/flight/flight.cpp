@@ -85,6 +85,22 @@ Status Flight::note_position(const Vec3& position, int64_t t) noexcept {
   return Status::kOk;
 }
 
+Status Flight::update_track(const Track& track) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  Track taken;
+  const Status status = state_->facts.note_track(track, taken);
+  if (status == Status::kOk) state_->note_track(taken);
+  return status;
+}
+
+Status Flight::forget_track(uint32_t id) noexcept {
+  return state_ != nullptr && state_->facts.tracks.forget(id) ? Status::kOk : Status::kInvalidArgument;
+}
+
+int64_t Flight::rest_clear_until() const noexcept {
+  return state_ == nullptr ? INT64_MAX : state_->facts.rest_clear_until();
+}
+
 PointState Flight::point_state(int32_t point) const noexcept {
   const bool exists = state_ != nullptr && point >= 0 && point < state_->facts.itinerary.count;
   return exists ? state_->facts.itinerary.state[point] : PointState::kAhead;

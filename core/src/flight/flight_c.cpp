@@ -101,6 +101,18 @@ std::uint8_t tern_flight_note_position(tern_flight* flight, const tern_vec3* pos
   return position == nullptr ? kInvalid : code(object(flight).note_position(*position, t));
 }
 
+std::uint8_t tern_flight_update_track(tern_flight* flight, const tern_track* track) {
+  return track == nullptr ? kInvalid : code(object(flight).update_track(*track));
+}
+
+std::uint8_t tern_flight_forget_track(tern_flight* flight, std::uint32_t id) {
+  return code(object(flight).forget_track(id));
+}
+
+std::int64_t tern_flight_rest_clear_until(const tern_flight* flight) {
+  return object(flight).rest_clear_until();
+}
+
 std::uint8_t tern_flight_set_clock(tern_flight* flight, std::int64_t t) {
   return code(object(flight).set_clock(t));
 }

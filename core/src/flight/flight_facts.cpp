@@ -3,8 +3,10 @@
 #include "flight/flight_facts.hpp"
 
 #include "base/math.hpp"
+#include "base/track_fault.hpp"
 #include "grid/bit_rows.hpp"
 #include "planner/validate.hpp"
+#include "tern/track_proof.hpp"
 
 namespace tern {
 namespace {
@@ -69,6 +71,30 @@ bool FlightFacts::note_position(const Vec3& position, std::int64_t t) noexcept {
 std::int64_t FlightFacts::time_to_answer(std::int64_t t) const noexcept {
   const std::int64_t wanted = clock.time_of(t);
   return wanted < time ? time : wanted;
+}
+
+Status FlightFacts::note_track(const Track& measured, Track& taken) noexcept {
+  taken = measured;
+  const TrackFault fault = find_track_fault(&taken, 1);
+  if (fault.status != Status::kOk) return fault.status;
+  taken.measured = clock.time_of(measured.measured);
+  if (taken.end != TrackEnd::kGoesOn) taken.until = clock.time_of(measured.until);
+  if (taken.pieces != nullptr || taken.measured > time + spec.tick) return Status::kInvalidArgument;
+  return tracks.update(taken, time);
+}
+
+std::int64_t FlightFacts::rest_clear_until() const noexcept {
+  const Commitment& latest = plans.latest();
+  const double from = larger(latest.time_at(time), duration(latest.trajectory));
+  TrackGrounds grounds;
+  grounds.tracks = tracks.tracks;
+  grounds.count = tracks.count;
+  grounds.radius = map.safe().spec().clearance();
+  grounds.rest = kRestHorizon + (from - duration(latest.trajectory));
+  if (grounds.count == 0) return INT64_MAX;
+  ProofReport found;
+  const double until = clear_until(latest.trajectory, from, grounds, &found);
+  return found.finding == Finding::kNone ? INT64_MAX : clock.shown_at(latest.begin() + nanoseconds(until));
 }
 
 /// The window moves no further than it must: space that leaves it is forgotten, and may hold the only way to the goal.

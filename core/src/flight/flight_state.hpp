@@ -43,6 +43,7 @@ class FlightState {
   void step_map() noexcept;
   void run_watch() noexcept;
   void end_watched_part() noexcept;
+  void note_track(const Track& measured) noexcept;
   void advance() noexcept;
   void begin_evasion() noexcept;
   void prove_anew() noexcept;

@@ -47,6 +47,7 @@ const char* blocked_by_text(BlockedBy by) noexcept {
     case BlockedBy::kObstacle: return "an obstacle";
     case BlockedBy::kWindow: return "the face of the map's window";
     case BlockedBy::kFence: return "a fence";
+    case BlockedBy::kTrack: return "something that moves";
   }
   return "unknown";
 }

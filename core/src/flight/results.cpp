@@ -175,7 +175,10 @@ void FlightState::enter_draft() noexcept {
   search.note_commit();
   watch.note_commit(draft.extends, draft.takeover);
   if (!draft.extends) facts.stray.note_plan();
+  // What was measured during the proof may refute its tubes.
+  const bool has_news = draft.plan.tubes.take_news(facts.tracks);
   facts.plans.commit(draft.plan, draft.extends);
+  if (has_news) watch.prove_all();
 }
 
 void FlightState::fail() noexcept {
@@ -187,7 +190,8 @@ void FlightState::fail() noexcept {
 void FlightState::give_up() noexcept {
   cycle.leave();
   evasion.leave();
-  if (!facts.rests() || facts.itinerary.parked) return;
+  // What moves will be elsewhere soon: there is no reason to look around, or to give up.
+  if (!facts.rests() || facts.itinerary.parked || block.by == BlockedBy::kTrack) return;
   lookouts.note_failure(facts);
   if (!search.count_idle()) return;
   if (report.plan == Status::kGoalFenced && cycle.aim.at_target && !cycle.hemmed_in) {

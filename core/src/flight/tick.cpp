@@ -60,6 +60,14 @@ void FlightState::end_watched_part() noexcept {
   watch.go_on(facts, drops);
 }
 
+/// A measurement outside the tube of a committed plan, or of a thing that the plan does not know: from now on the plan
+/// has this tube, and is proven anew.
+void FlightState::note_track(const Track& measured) noexcept {
+  bool has_news = facts.plans.in_flight.tubes.take_news(measured, facts.tracks);
+  if (facts.plans.has_waiting) has_news = facts.plans.waiting.tubes.take_news(measured, facts.tracks) || has_news;
+  if (has_news) watch.prove_all();
+}
+
 void FlightState::advance() noexcept {
   const bool is_last = facts.landing.is_asked ? facts.lands() : facts.itinerary.is_reached_by(facts.plans.in_flight);
   if (facts.itinerary.goes_on() && facts.rests() && is_last) {

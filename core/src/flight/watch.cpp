@@ -40,7 +40,10 @@ void Watch::prove(const FlightFacts& flight, Watched which) noexcept {
   const Commitment& plan = watched(flight.plans);
   const double from = larger(0.0, plan.time_at(flight.time));
   ProofGrounds grounds = grounds_of(flight.spec, plan);
-  if (has_added && part != Watched::kAlarm) grounds.added = &added;
+  if (has_added && part != Watched::kAlarm) {
+    grounds.added = &added;
+    grounds.track_count = 0;  // it stays proven clear of its tubes
+  }
   if (part == Watched::kAlarm) grounds.alarm = &alarm;
   is_running = proof.begin_accepted(flight.map.safe(), plan.trajectory, from, nullptr, Beyond::kSolid, grounds) ==
                Status::kRunning;
@@ -93,6 +96,11 @@ void Watch::go_on(const FlightFacts& flight, bool dropped) noexcept {
   } else if (has_alarm) {
     prove(flight, Watched::kAlarm);
   }
+}
+
+void Watch::prove_all() noexcept {
+  covers_all = true;
+  is_running = false;
 }
 
 void Watch::note_takeover() noexcept {

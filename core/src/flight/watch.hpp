@@ -57,6 +57,8 @@ struct Watch {
   /// Begins a proof, if there is anything to prove. Takes what was added to the map since the last call.
   void begin(const FlightFacts& flight, RollingMap& map) noexcept;
   void prove(const FlightFacts& flight, Watched which) noexcept;
+  /// A thing that moves is not where a committed plan takes it to be: the next proof covers all of the plans.
+  void prove_all() noexcept;
   /// Ends the proof of a part, and begins that of the next one.
   WatchResult end_part(const FlightFacts& flight) noexcept;
   /// Notes a threat. `nearest`: how near anything is to the resting vehicle; kAnywhere if it does not rest.

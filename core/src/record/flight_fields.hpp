@@ -39,8 +39,10 @@ enum class FlightEventKind : std::uint8_t {
   kPosition,
   kAssumeColumn,
   kLand,
+  kTrack,
+  kForgetTrack,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kLand);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kForgetTrack);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 

@@ -7,6 +7,7 @@
 #include "base/capacity.hpp"
 #include "record/fences.hpp"
 #include "record/flight_event.hpp"
+#include "record/tracks.hpp"
 
 namespace tern {
 
@@ -86,6 +87,18 @@ Status FlightRecorder::note_position(const Vec3& position, int64_t t, Status ans
 Status FlightRecorder::set_clock(int64_t t, Status answer) noexcept {
   Event event(*this, FlightEventKind::kClock, answer);
   event.words()(t);
+  return event.end();
+}
+
+Status FlightRecorder::update_track(const Track& track, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kTrack, answer);
+  list_track(event.words(), track);
+  return event.end();
+}
+
+Status FlightRecorder::forget_track(uint32_t id, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kForgetTrack, answer);
+  event.words()(id);
   return event.end();
 }
 

@@ -159,6 +159,15 @@ std::uint8_t tern_flight_record_set_clock(tern_flight_recorder* recorder, std::i
   return record(recorder, true, [=](FlightRecorder& r) { return r.set_clock(t, status(answer)); });
 }
 
+std::uint8_t tern_flight_record_update_track(tern_flight_recorder* recorder, const tern_track* track,
+                                             std::uint8_t answer) {
+  return record(recorder, track != nullptr, [=](FlightRecorder& r) { return r.update_track(*track, status(answer)); });
+}
+
+std::uint8_t tern_flight_record_forget_track(tern_flight_recorder* recorder, std::uint32_t id, std::uint8_t answer) {
+  return record(recorder, true, [=](FlightRecorder& r) { return r.forget_track(id, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_flight* flight, std::int64_t t,
                                      const tern_flight_report* report, std::uint8_t answer) {
   return record(recorder, flight != nullptr && report != nullptr,

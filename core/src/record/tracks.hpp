@@ -29,6 +29,13 @@ void list_track(Words& words, AnyTrack& track) {
   words(track.reach);
 }
 
+/// A track without pieces.
+inline Track read_track(WordReader& words) {
+  Track track;
+  list_track(words, track);
+  return track;
+}
+
 template <typename Words, typename AnyPiece>
 void list_track_piece(Words& words, AnyPiece& piece) {
   words(piece.duration);

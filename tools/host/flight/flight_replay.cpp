@@ -11,6 +11,7 @@
 #include "record/envelope.hpp"
 #include "record/fences.hpp"
 #include "record/flight_fields.hpp"
+#include "record/tracks.hpp"
 #include "tern/flight_record.hpp"
 
 namespace tern_host {
@@ -82,6 +83,10 @@ class Player {
         return land(event);
       case FlightEventKind::kPosition:
         return note_position(event);
+      case FlightEventKind::kTrack:
+        return flight_.update_track(tern::read_track(event.words));
+      case FlightEventKind::kForgetTrack:
+        return flight_.forget_track(read<std::uint32_t>(event));
     }
     return Status::kRecordDamaged;
   }
