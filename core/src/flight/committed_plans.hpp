@@ -66,11 +66,6 @@ struct Contact {
   double speed;       ///< m/s, at that time
 };
 
-/// Seconds from `begin` to `t`.
-inline double seconds_between(std::int64_t begin, std::int64_t t) noexcept {
-  return static_cast<double>(t - begin) * 1e-9;
-}
-
 /// Nanoseconds, rounded down. No plan is flown for longer than kFarthest.
 inline std::int64_t nanoseconds(double seconds) noexcept {
   const double exact = seconds * 1e9;

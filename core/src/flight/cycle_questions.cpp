@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "flight/cycle.hpp"
 #include "grid/distance.hpp"
+#include "path/polyline.hpp"
 
 namespace tern {
 namespace {
@@ -87,9 +88,8 @@ Status Cycle::finish(Report& found) noexcept {
 
 FoundRoute Cycle::route_found() const noexcept {
   const Path& path = *planner->path();
-  double sum = 0.0;
-  for (int i = 1; i < path.count; ++i) sum += distance(path.points[i - 1], path.points[i]);
-  return {aim.start.d[0], route.grid().spec().origin + path.points[path.count - 1], sum};
+  const Vec3 end = route.grid().spec().origin + path.points[path.count - 1];
+  return {aim.start.d[0], end, polyline_length(path.points, path.count)};
 }
 
 void Cycle::follow_route(const FlightFacts& flight) noexcept {

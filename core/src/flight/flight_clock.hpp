@@ -13,6 +13,11 @@ namespace tern {
 /// in range.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
 
+/// Seconds from `begin` to `t`.
+inline double seconds_between(std::int64_t begin, std::int64_t t) noexcept {
+  return static_cast<double>(t - begin) * 1e-9;
+}
+
 /// The time, or the nearest one that is at most kFarthest from the start.
 inline std::int64_t within_farthest(std::int64_t time) noexcept {
   if (time > kFarthest) return kFarthest;

@@ -23,6 +23,9 @@ constexpr double kNearer = 0.5;
 /// Searches in a row that showed nothing and learned less than kLearned words of the map, after which what was tried is
 /// forgotten, once, and after as many more of which there is no hope.
 constexpr int kInVain = 3;
+/// A search without anything unseen leads along the way that is known: the vehicle has come to its end within this
+/// distance, metres.
+constexpr double kPassed = 1.0;
 /// Cycles on the way to a lookout that may fail while the vehicle rests.
 constexpr int kFailedCycles = 6;
 
@@ -53,7 +56,7 @@ struct Lookouts {
   std::uint64_t* words;  ///< the caller's
 
   int left;            ///< lookouts in vain until the vehicle gives up
-  int shown;           ///< lookouts that showed all that they should
+  int shown;           ///< lookouts that showed some of what they should
   double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
   bool is_last_try;    ///< the look around is over, or there were kInVain searches in vain
   int in_vain;         ///< searches in a row that had no answer, and between which nothing was learned

@@ -4,13 +4,10 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "flight/flight_clock.hpp"
 
 namespace tern {
 namespace {
-
-double seconds_from(std::int64_t begin, std::int64_t t) {
-  return static_cast<double>(t - begin) * 1e-9;
-}
 
 bool is_gone(const Track& track, std::int64_t now) {
   return track.end == TrackEnd::kGone && now > track.until;
@@ -18,7 +15,7 @@ bool is_gone(const Track& track, std::int64_t now) {
 
 /// For so many of the `since` seconds after it was measured, the thing moves.
 double time_in_motion(const Track& track, double since) {
-  return track.end == TrackEnd::kGoesOn ? since : smaller(since, seconds_from(track.measured, track.until));
+  return track.end == TrackEnd::kGoesOn ? since : smaller(since, seconds_between(track.measured, track.until));
 }
 
 /// The error after `moved` seconds in motion.
@@ -42,7 +39,7 @@ bool may_do_more(const Track& a, const Track& b) {
 Track expected_of(const Track& track, std::int64_t now) {
   Track expected = track;
   if (track.end != TrackEnd::kGoesOn || now < track.measured || !(track.error_growth > 0.0)) return expected;
-  const double since = seconds_from(track.measured, now);
+  const double since = seconds_between(track.measured, now);
   const double error = error_after(track, since);
   const double reached = track.error + track.reach * since;
   const bool is_anywhere = track.reach > 0.0 && reached < error;
@@ -59,7 +56,7 @@ Track expected_of(const Track& track, std::int64_t now) {
 
 bool refutes(const Track& measured, const Track& tube) noexcept {
   if (is_larger(measured, tube) || may_do_more(measured, tube) || is_gone(tube, measured.measured)) return true;
-  const double since = seconds_from(tube.measured, measured.measured);
+  const double since = seconds_between(tube.measured, measured.measured);
   const double moved = time_in_motion(tube, since);
   double error = error_after(tube, moved);
   if (tube.end == TrackEnd::kReach) error += tube.reach * (since - moved);

@@ -104,19 +104,23 @@ void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Oper
   spent += 2 * ops::kPiece * count + ops::kPiece * used;
 }
 
-std::int32_t add_keep_outs(const Fence* fences, const Solids& solids, const Vec3& centre, AskedTracks& asked) noexcept {
+void take_things(const Solids& solids, AskedTracks& asked, Problem& problem) noexcept {
+  problem.tracks = asked.track;
+  problem.track_count = problem.thing_count = asked.count;
+  problem.solids = asked.solids;
+  if (!problem.has_windows) return;
   for (std::int32_t k = 0; k < solids.timed_count; ++k) {
     const SolidParts& parts = solids.parts[solids.solid_count + k];
-    const Fence& fence = fences[parts.index];
+    const Fence& fence = problem.asked_world->fence[parts.index];
     Track& track = asked.track[asked.count + k] = Track{};
     track.measured = later_by(-fence.clock_error, fence.from);
     track.until = later_by(fence.clock_error, fence.until);
     track.end = TrackEnd::kGone;
-    track.position = centre;
+    track.position = problem.grid->spec().origin;
     track.shape = kConvex;
     asked.solids[k] = solid_of(solids, parts);
   }
-  return asked.count + solids.timed_count;
+  problem.thing_count += solids.timed_count;
 }
 
 Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept {

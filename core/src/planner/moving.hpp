@@ -33,9 +33,9 @@ struct AskedTracks {
 /// Copies the caller's tracks, which find_track_fault() has accepted. `spent` grows by the operations that it took.
 void copy_tracks(const Track* list, std::int32_t count, AskedTracks& asked, Operations& spent) noexcept;
 
-/// Adds the keep-outs for a while among the fences, whose solids have been read, in the grid's local frame. Their
-/// centre is that frame's origin. Returns how many things there are now.
-std::int32_t add_keep_outs(const Fence* fences, const Solids& solids, const Vec3& centre, AskedTracks& asked) noexcept;
+/// Lists the things of the problem: the copied tracks, and the keep-outs for a while among its fences, whose solids
+/// have been read in the grid's local frame. Their centre is that frame's origin.
+void take_things(const Solids& solids, AskedTracks& asked, Problem& problem) noexcept;
 
 /// What the first plan to a goal met.
 struct Conflict {

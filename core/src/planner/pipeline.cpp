@@ -124,8 +124,6 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   const Verdict tracks = validate_tracks(request);
   if (tracks.status != Status::kOk) return refuse({tracks.status, tracks.field});
   copy_tracks(request.tracks, request.track_count, memory.tracks, begun_);
-  problem_.tracks = memory.tracks.track;
-  problem_.track_count = request.track_count;
   for (std::int32_t v = 0; v < request.via_count; ++v) memory.vias.vias[v] = request.vias[v];
   memory.vias.marks.count = request.via_count;
   problem_.vias = memory.vias.vias;
@@ -138,12 +136,7 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
   fault_ = read_world(request, memory.ends, problem_, memory.world, memory.asked, begun_);
-  problem_.thing_count = problem_.track_count;
-  if (problem_.has_windows) {
-    const Vec3& centre = problem_.grid->spec().origin;
-    problem_.thing_count = add_keep_outs(memory.asked.fence, memory.world.solids, centre, memory.tracks);
-    problem_.solids = memory.tracks.solids;
-  }
+  take_things(memory.world.solids, memory.tracks, problem_);
   if (fault_.status != Status::kOk) return refuse(fault_);
   take_ends(problem_, memory.ends);
   return Status::kRunning;
