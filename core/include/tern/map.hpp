@@ -14,6 +14,7 @@
 #include "tern/config.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
+#include "tern/track.hpp"
 #include "tern/vec3.hpp"
 #include "tern/work.hpp"
 
@@ -80,6 +81,11 @@ constexpr int32_t kMaxEvidence = 4;
 constexpr double kMinScanPixel = 0.002;
 /// The most by which a frame or scan may be older than the latest one that was entered, nanoseconds.
 constexpr int64_t kMaxFrameDelay = 1000000000;
+
+/// For how long before and after its measurement a thing that moves explains hits, seconds, and the largest error with
+/// which it does, metres: see RollingMap::explain_hits().
+constexpr double kExplainsFor = 0.5;
+constexpr double kExplainsWithin = 1.0;
 
 /// A spec with common values: 1 hit blocks, 3 misses clear, range 10 m, depth margin 0.05 m, pose margin 0.05 m, slack
 /// 4, pixels for 320 x 240, nothing ages, no scans, no prior.
@@ -199,10 +205,20 @@ class RollingMap {
   Status step(Work& work) noexcept;
   /// The same with `work` more units. What a call takes beyond them, the next calls take less.
   Status step(uint32_t work) noexcept;
+  /// From now on, what a frame or scan hits in one of these things marks no voxel: `count` tracks of yours, whose times
+  /// count from `begin` of the frames' clock. They must stay until the next call; null ends it. A flight does this by
+  /// itself in every tick, with the things of Flight::update_track().
+  ///
+  /// A thing explains the hits in voxels whose centre is in its shape at the time of the frame, grown by its error
+  /// then, by the errors of pose and depth, and by half the diagonal of a voxel. It explains none in frames taken more
+  /// than kExplainsFor before or after it was measured, none once its error exceeds kExplainsWithin, none after
+  /// Track::until if that counts, and none if it has pieces. Its voxels are not seen free by that either: what was
+  /// never seen stays unknown.
+  void explain_hits(const Track* tracks, int32_t count, int64_t begin = 0) noexcept;
   /// True while a job is not finished.
   bool busy() const noexcept;
-  /// The most units that a frame of this size takes, or a scan of this many points. A slide or a snapshot takes at most
-  /// scan_work(0).
+  /// The most units that a frame of this size takes, or a scan of this many points, without explain_hits(). A slide or
+  /// a snapshot takes at most scan_work(0).
   uint32_t frame_work(int32_t width, int32_t height) const noexcept;
   uint32_t scan_work(size_t count) const noexcept;
 

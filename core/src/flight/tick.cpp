@@ -36,7 +36,9 @@ void FlightState::step_map() noexcept {
   if (!facts.map.busy()) facts.follow_vehicle();
   if (!facts.map.busy()) return;
   Share share(tick_work, tick_work.operations() - tick_work.operations() / (cycle.job == Job::kIdle ? 4 : 2));
+  facts.map.explain_hits(facts.tracks.tracks, facts.tracks.count, facts.clock.shown_at(0));
   facts.map.step(share.part);
+  facts.map.explain_hits(nullptr, 0);
   // Slide before the next frame begins, because a frame may always be waiting.
   if (!facts.map.busy()) facts.follow_vehicle();
 }

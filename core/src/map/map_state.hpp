@@ -14,6 +14,7 @@
 #include "map/evidence.hpp"
 #include "map/hit_writer.hpp"
 #include "tern/map.hpp"
+#include "tern/track.hpp"
 #include "view/carve.hpp"
 #include "view/depth_pyramid.hpp"
 #include "view/projector.hpp"
@@ -37,6 +38,7 @@ enum class Task : std::uint8_t {
   kClearFaces,    ///< all pixels become "no point", before a scan
   kPoints,        ///< points or beams of a scan
   kCloseFaces,    ///< pixels without a point become "no measurement"
+  kExplain,       ///< things that move, whose hits mark nothing
   kPyramids,      ///< coarser levels of the views' images
   kBricks,        ///< carving and evidence
   kInflateRoute,  ///< planes
@@ -80,6 +82,13 @@ struct Frame {
   int parts_of_view() const noexcept { return view_count > 1 ? 2 : 1; }
 };
 
+/// Things that move, whose hits mark nothing: the caller's, and the time of the frames' clock that is 0 for them.
+struct ExplainingThings {
+  const Track* tracks;
+  std::int32_t count;
+  std::int64_t begin;
+};
+
 class MapState {
  public:
   MapSpec spec;
@@ -110,6 +119,7 @@ class MapState {
   Work slice;          ///< the work of step(); between two calls, its debt
   std::int64_t piece;  ///< the next piece of the task
   Frame frame;
+  ExplainingThings things;
   Voxel slide_by;  ///< of the slide that is being made: voxel v of the new window is voxel v + slide_by of the old one
   Grid* copy;      ///< the caller's, for a snapshot
 
@@ -139,6 +149,7 @@ class MapState {
   void clear_face_row(std::int32_t index, Work& work) noexcept;
   void close_face_row(std::int32_t index, Work& work) noexcept;
   void read_points(std::int64_t index, Work& work) const noexcept;
+  void explain_hits(std::int64_t index, Work& work) noexcept;
   void make_pyramid_row(std::int64_t index, Work& work) noexcept;
   void carve_brick(std::int64_t index, Work& work) noexcept;
   /// Enters a frame into a brick: its hits, and a miss for each voxel that was carved.

@@ -11,7 +11,7 @@ namespace tern {
 namespace {
 
 /// The most tasks of a job.
-constexpr int kTasks = 8;
+constexpr int kTasks = 9;
 /// Rows of all coarser levels of all views. One piece makes one row.
 std::int64_t pyramid_rows(const Frame& frame) {
   std::int64_t rows = 0;
@@ -32,6 +32,8 @@ Task task_after(Task task) {
       return Task::kCloseFaces;
     case Task::kPixels:
     case Task::kCloseFaces:
+      return Task::kExplain;
+    case Task::kExplain:
       return Task::kPyramids;
     case Task::kPyramids:
       return Task::kBricks;
@@ -82,6 +84,8 @@ std::int64_t MapState::pieces() const noexcept {
       return kFaces * face;
     case Task::kPoints:
       return static_cast<std::int64_t>((frame.point_count + 63) / 64);
+    case Task::kExplain:
+      return things.count;
     case Task::kPyramids:
       return pyramid_rows(frame);
     case Task::kBricks:
@@ -106,6 +110,7 @@ void MapState::do_piece(Work& work) noexcept {
     case Task::kClearFaces: return clear_face_row(index, work);
     case Task::kPoints: return read_points(piece, work);
     case Task::kCloseFaces: return close_face_row(index, work);
+    case Task::kExplain: return explain_hits(piece, work);
     case Task::kPyramids: return make_pyramid_row(index, work);
     case Task::kBricks: return carve_brick(piece, work);
     case Task::kInflateRoute: return GridWords(route).inflate_piece(index, work);
