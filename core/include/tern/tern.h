@@ -391,6 +391,19 @@ void tern_request_init(tern_request* request);
  * stay as long as the track is used. ok, invalid_argument or track_pieces_full. */
 uint8_t tern_track_of(const tern_trajectory* trajectory, double radius, tern_track_piece* pieces, int32_t room,
                       tern_track* track);
+/* Classes of things, for tern_track_of_class(): tern::TrackClass, docs/tracks.md#classes. */
+enum {
+  TERN_TRACK_PERSON = 0,
+  TERN_TRACK_CYCLIST = 1,
+  TERN_TRACK_CAR = 2,
+  TERN_TRACK_TRUCK = 3,
+  TERN_TRACK_BIRD = 4,
+  TERN_TRACK_DRONE = 5,
+  TERN_TRACK_AIRCRAFT = 6
+};
+/* A thing of a class (a TERN_TRACK_... constant), still to be placed: tern::track_of_class, tern/track_class.hpp. Sets
+ * its shape, its size and what it may do, and all else to zero. ok or invalid_argument. */
+uint8_t tern_track_of_class(uint8_t kind, tern_track* track);
 /* Writes the six half-spaces of a box, for a fence that is a box. In the frame of the box. Null does nothing. */
 void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]);
 /* Plans in one call. The grid must be inflated. With ok, `trajectory` is the plan; with any other answer, it is

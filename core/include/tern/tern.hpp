@@ -21,6 +21,7 @@
 #include "tern/self_test.hpp"
 #include "tern/status.hpp"
 #include "tern/track.hpp"
+#include "tern/track_class.hpp"
 #include "tern/track_proof.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/yaw.hpp"

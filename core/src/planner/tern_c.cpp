@@ -6,6 +6,7 @@
 
 #include "grid/grid_handle.hpp"
 #include "tern/tern_corridor.h"
+#include "tern/track_class.hpp"
 
 namespace {
 
@@ -178,6 +179,10 @@ std::uint8_t tern_track_of(const tern_trajectory* trajectory, double radius, ter
                            std::int32_t room, tern_track* track) {
   if (trajectory == nullptr || track == nullptr) return kInvalid;
   return code(tern::track_of(*trajectory, radius, pieces, room, *track));
+}
+
+std::uint8_t tern_track_of_class(std::uint8_t kind, tern_track* track) {
+  return track == nullptr ? kInvalid : code(tern::track_of_class(static_cast<tern::TrackClass>(kind), *track));
 }
 
 void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]) {
