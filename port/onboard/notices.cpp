@@ -29,7 +29,8 @@ const char* fault_name(Fault fault) {
       "pose_invalid", "pose_repeated", "pose_backward", "pose_ahead",     "pose_old",       "pose_jump",
       "heading_jump", "pose_lost",     "frame_invalid", "frame_unready",  "frame_repeated", "frame_backward",
       "frame_ahead",  "frame_old",     "frame_no_pose", "frame_replaced", "frame_refused",  "ticks_skipped",
-      "clock_back",   "strayed",       "lost",          "refused"};
+      "clock_back",   "strayed",       "lost",          "refused",        "thing_invalid",  "thing_backward",
+      "thing_ahead",  "thing_old",     "things_full"};
   return kNames[static_cast<std::size_t>(fault)];
 }
 

@@ -51,6 +51,7 @@ Onboard::Onboard(const Settings& settings)
       flight_words_(tern::flight_words(map_spec_.dims)),
       poses_(settings.watch),
       sensors_(settings.watch, map_spec_.pixels),
+      things_(settings.things),
       wish_(settings.fly) {
   const std::string fault = settings_fault(settings);
   if (!fault.empty()) throw std::invalid_argument(fault);
@@ -104,38 +105,6 @@ void Onboard::mark_known() {
   for (tern::Vec3& point : points) point = minus(point, poses_.offset());
   recording_.recorder().mark_points(points.data(), points.size(), map_.mark_points(points.data(), points.size()));
   known_marked_ = known_points_.size();
-}
-
-int Onboard::add_sensor(const SensorSpec& spec) {
-  const std::lock_guard lock(mutex_);
-  return sensors_.add(spec);
-}
-
-Answer Onboard::set_lens(int sensor, const Lens& lens) {
-  const std::lock_guard lock(mutex_);
-  const std::string fault = sensors_.set_lens(sensor, lens);
-  return {fault.empty(), fault};
-}
-
-Answer Onboard::set_mounting(int sensor, const tern::Pose& in_body) {
-  const std::lock_guard lock(mutex_);
-  const std::string fault = sensors_.set_mounting(sensor, in_body);
-  return {fault.empty(), fault};
-}
-
-void Onboard::add_frame(int sensor, const DepthImage& image, std::int64_t now) {
-  const std::lock_guard lock(mutex_);
-  if (sensors_.offer(sensor, image, now, notices_)) latency_.arrived(sensors_.newest(sensor), now);
-}
-
-void Onboard::add_frame(int sensor, const PointScan& scan, std::int64_t now) {
-  const std::lock_guard lock(mutex_);
-  if (sensors_.offer(sensor, scan, now, notices_)) latency_.arrived(sensors_.newest(sensor), now);
-}
-
-void Onboard::add_known_points(const std::vector<tern::Vec3>& points) {
-  const std::lock_guard lock(mutex_);
-  known_points_.insert(known_points_.end(), points.begin(), points.end());
 }
 
 void Onboard::add_pose(const StampedPose& pose, std::int64_t now, std::uint32_t resets) {
@@ -199,6 +168,7 @@ Answer Onboard::begin_at(const StampedPose& start, std::int64_t now) {
   }
   wish_.send_yaw(flight_, recording_.recorder(), heading_of(start.pose.quaternion), {});
   sensors_.restart();
+  things_.begin_flight();
   time_ = now;
   flown_count_ = 0;
   corridor_.count = 0;

@@ -21,6 +21,7 @@ void Onboard::tick(std::int64_t now) {
   watch_poses(now);
   if (status_.state != State::kFlying) return;
   if (now < time_ - kBack) set_back(now);
+  things_.tell(flight_, recording_.recorder(), poses_.offset(), time_ + spec_.tick, notices_);
   const std::int64_t due = (now - time_) / spec_.tick;
   if (due > kMostTicks) {
     const std::int64_t skipped = due - kMostTicks;
@@ -87,6 +88,7 @@ void Onboard::set_back(std::int64_t now) {
   poses_.clear();
   pose_stamp_ = now;
   sensors_.restart();
+  things_.set_clock(now);
   flown_count_ = 0;
   progress_.restart();
   notices_.bad(Fault::kClockBack, kNobody, now,
@@ -204,6 +206,7 @@ Status Onboard::status(std::int64_t now) const {
   const StampedPose* newest = poses_.newest();
   status.pose_age = newest == nullptr ? -1 : std::max<std::int64_t>(0, now - newest->stamp);
   status.faults = notices_.counts();
+  status.things = things_.count();
   for (int k = 0; k < sensors_.count(); ++k) status.sensors.push_back(sensors_.state(k));
   return status;
 }

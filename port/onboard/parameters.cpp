@@ -67,6 +67,10 @@ const std::vector<Parameter<Settings>> kParameters = {
   TERN_NUMBER("stale_after", "s", 0.0, 1000.0, watch.stale_after, "time without frames after which the map is stale; 0: never"),
   TERN_WHOLE("slow_when_straying", "", 0, 1, watch.slow_when_straying, "1: fly slower while the vehicle is off the command by most of tracking_margin"),
   TERN_NUMBER("stray", "m", 0.05, 100.0, watch.stray, "a vehicle further off the command is lost: the flight ends"),
+
+  TERN_NUMBER("thing_sigmas", "", 1.0, 10.0, things.sigmas, "errors of things that move: so many standard deviations"),
+  TERN_NUMBER("thing_memory", "s", 0.0, 3600.0, things.memory, "a thing that nobody reports for so long is gone: you vouch for it; 0: never"),
+  TERN_NUMBER("thing_range", "m", 0.0, 100000.0, things.range, "things further away are left out; 0: all are"),
 };
 
 const std::vector<Parameter<SensorSettings>> kSensorParameters = {

@@ -36,8 +36,13 @@ enum class Fault : std::uint8_t {
   kStrayed,        ///< the vehicle is further off the command than tracking_margin
   kLost,           ///< it is further off than `stray`: the flight ended
   kRefused,        ///< a goal, mission or beginning was refused
+  kThingInvalid,   ///< something that moves has no name, or a number that is none
+  kThingBackward,  ///< it was sighted at the time of its last sighting, or before; not said
+  kThingAhead,     ///< it was sighted ahead of the clock
+  kThingOld,       ///< it was sighted longer ago than thing_memory
+  kThingsFull,     ///< more things are near than a flight can know
 };
-constexpr std::size_t kFaults = 22;
+constexpr std::size_t kFaults = 27;
 
 /// "pose_invalid" and so on, as diagnostics carry it; static strings.
 const char* fault_name(Fault fault);

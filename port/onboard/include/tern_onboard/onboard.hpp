@@ -23,6 +23,7 @@
 #include "tern_onboard/recording.hpp"
 #include "tern_onboard/sensors.hpp"
 #include "tern_onboard/settings.hpp"
+#include "tern_onboard/things.hpp"
 #include "tern_onboard/wish.hpp"
 
 namespace tern_onboard {
@@ -54,6 +55,7 @@ struct Status {
   tern::Vec3 offset{};          ///< sum of the estimate's jumps since the flight began, m
   std::uint64_t ticks = 0, ticks_skipped = 0;
   std::array<std::uint64_t, kFaults> faults{};  ///< how often each was
+  std::size_t things = 0;                       ///< that move and are known
   std::vector<SensorState> sensors;
 };
 
@@ -95,6 +97,10 @@ class Onboard {
   /// What leaves the map's window is forgotten. For a world that is known as a whole, let the window hold all of it
   /// and free_radius reach around it, and set stale_after to 0.
   void add_known_points(const std::vector<tern::Vec3>& points);
+  /// Something that moves was sighted. Flights keep clear of it (docs/flight.md), those that begin later, too.
+  void add_sighting(const Sighting& sighting, std::int64_t now);
+  /// The body's pose at `stamp`, for what was seen from the body then, in the frame of the poses that came in.
+  PoseAt pose_at(std::int64_t stamp, tern::Pose& pose) const;
 
   /// Begins a flight at rest at the last pose. set_goal() and set_mission() do so themselves if there is none.
   Answer begin(std::int64_t now);
@@ -181,6 +187,7 @@ class Onboard {
   Notices notices_;
   Recording recording_;
   Progress progress_;
+  Things things_;
   Wish wish_;
   std::vector<tern::Vec3> known_points_;
   std::size_t known_marked_ = 0;

@@ -66,10 +66,18 @@ struct WatchSettings {
   bool slow_when_straying = true;
 };
 
+/// Things that move, as others report them.
+struct ThingSettings {
+  double sigmas = 4.0;
+  double memory = 10.0;
+  double range = 1000.0;
+};
+
 struct Settings {
   MapSettings map;
   FlySettings fly;
   WatchSettings watch;
+  ThingSettings things;
 };
 
 /// One sensor's numbers; its kind, mounting and lens come with SensorSpec (sensors.hpp).
