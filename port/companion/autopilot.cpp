@@ -65,8 +65,15 @@ bool Autopilot::take_heartbeat(const Frame& frame, std::int64_t now) {
 
 void Autopilot::take_message(const Frame& frame, std::int64_t now) {
   switch (frame.id) {
-    case SystemTime::kId:
-      return note_boot_time(parse<SystemTime>(frame).time_boot_ms);
+    case SystemTime::kId: {
+      const auto time = parse<SystemTime>(frame);
+      note_boot_time(time.time_boot_ms);
+      if (time.time_unix_usec != 0) {
+        state_.unix_boot = 1000 * static_cast<std::int64_t>(time.time_unix_usec) -
+                           1000000 * static_cast<std::int64_t>(time.time_boot_ms);
+      }
+      return;
+    }
     case AttitudeQuaternion::kId:
       return take(parse<AttitudeQuaternion>(frame), now);
     case LocalPositionNed::kId:
@@ -109,7 +116,7 @@ void Autopilot::note_boot_time(std::int64_t boot_ms) {
     say_("the autopilot was restarted");
     clock_ = {};
     clock_restarts_ = 0;
-    position_ns_ = 0;
+    position_ns_ = state_.unix_boot = 0;
     any_odometry_ = state_.in_air = state_.origin_known = false;
     ++state_.resets;
     request_ = 0;
@@ -221,6 +228,11 @@ void Autopilot::tick(std::int64_t now) {
 void Autopilot::answer_time(std::int64_t now) {
   if (time_request_) send(TimeSync{now, time_request_->ts1, state_.system, kAutopilotComponent});
   time_request_.reset();
+}
+
+std::optional<std::int64_t> Autopilot::unix_time(std::int64_t now) const {
+  if (state_.unix_boot == 0 || !clock_.known()) return {};
+  return state_.unix_boot + (now - clock_.to_own(0));
 }
 
 void Autopilot::ask_for_mode() {

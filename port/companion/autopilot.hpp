@@ -31,6 +31,8 @@ struct AutopilotState {
   tern::Vec3 velocity{};     ///< m/s, east, north, up
   GpsGlobalOrigin origin{};  ///< of the local frame
   bool origin_known = false;
+  /// ns: what the Unix clock of its satellite receiver showed at its boot; 0 if it has not said.
+  std::int64_t unix_boot = 0;
 };
 
 class Autopilot {
@@ -57,6 +59,9 @@ class Autopilot {
 
   const AutopilotState& state() const { return state_; }
   const ClockSync& clock() const { return clock_; }
+  /// The Unix time, ns, when the companion's clock shows `now`, as its satellite receiver has it; nothing if it has not
+  /// said.
+  std::optional<std::int64_t> unix_time(std::int64_t now) const;
   /// The identity and sequence number under which all frames are sent.
   Sender& sender() { return sender_; }
 

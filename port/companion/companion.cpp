@@ -36,6 +36,7 @@ Companion::Companion(const CompanionSettings& settings, Outputs outputs)
       onboard_(settings.onboard),
       record_(onboard_, settings.record),
       sensors_(onboard_),
+      traffic_(settings.traffic),
       mission_(settings.mission) {
   onboard_.set_following(false);
 }
@@ -48,8 +49,10 @@ bool Companion::read(const std::uint8_t* bytes, std::size_t count, std::int64_t 
     is_autopilot = autopilot_.read(frame, now) || is_autopilot;
     const AutopilotState& state = autopilot_.state();
     if (state.rules == nullptr) continue;
-    const auto goal = read_goal(frame, autopilot_.sender(), state.origin_known ? &state.origin : nullptr);
+    const LocalFrame local{state.origin, state.rules->projection};
+    const auto goal = read_goal(frame, autopilot_.sender(), state.origin_known ? &local : nullptr);
     if (goal) take_goal(*goal, frame);
+    take_traffic(frame, state.origin_known ? &local : nullptr, now);
   }
   warn_about_frames();
   return is_autopilot;
@@ -93,6 +96,16 @@ void Companion::take_goal(const GoalMessage& message, const Frame& frame) {
   ack.target_system = frame.system;
   ack.target_component = frame.component;
   outputs_.send(pack(autopilot_.sender(), ack));
+}
+
+void Companion::take_traffic(const Frame& frame, const LocalFrame* local, std::int64_t now) {
+  const AutopilotState& state = autopilot_.state();
+  TrafficView view{now, autopilot_.unix_time(now), local, nullptr, state.system};
+  if (state.estimate_at != 0) view.here = &state.pose.pose.position;
+  std::string why;
+  const auto sighting = traffic_.read(frame, view, why);
+  if (sighting) onboard_.add_sighting(*sighting, now);
+  if (!why.empty()) say_once(why);
 }
 
 void Companion::take_depth(const tern_depth_header& header, const std::uint8_t* payload, std::int64_t now) {

@@ -17,6 +17,7 @@
 #include "companion/engagement.hpp"
 #include "companion/goals.hpp"
 #include "companion/sensor_table.hpp"
+#include "companion/traffic.hpp"
 #include "tern_onboard/onboard.hpp"
 #include "tern_onboard/record_files.hpp"
 
@@ -24,6 +25,7 @@ namespace tern_companion {
 
 struct CompanionSettings {
   tern_onboard::Settings onboard;
+  TrafficSettings traffic;         ///< how reports of other aircraft are read
   std::uint8_t system = 0;         ///< of the autopilot; 0: the first one that is heard
   std::vector<tern::Via> mission;  ///< its last point is the goal; empty: a ground station says where to
   std::string record;              ///< folder for the records of flights; empty: none
@@ -74,6 +76,7 @@ class Companion {
   void send_setpoint(std::int64_t now);
   void judge(const tern_onboard::Status& status, std::int64_t now);
   void take_goal(const GoalMessage& message, const Frame& frame);
+  void take_traffic(const Frame& frame, const LocalFrame* local, std::int64_t now);
   void say_once(const std::string& text);
   void warn_about_frames();
 
@@ -83,6 +86,7 @@ class Companion {
   tern_onboard::Onboard onboard_;
   tern_onboard::RecordFiles record_;
   SensorTable sensors_;
+  Traffic traffic_;
   FrameReader reader_;
   std::vector<tern::Via> mission_;  // what is to be flown
   Phase phase_ = Phase::kNoAutopilot;

@@ -9,7 +9,6 @@
 namespace tern_companion {
 namespace {
 
-constexpr double kMetresOfDegree = 6371000.0 * 3.14159265358979323846 / 180.0;
 constexpr std::uint16_t kNoPosition = 7;
 constexpr std::uint16_t kPauseContinue = 193;
 constexpr char kUnknown[] = "only DO_REPOSITION and DO_PAUSE_CONTINUE are known";
@@ -35,25 +34,25 @@ GoalMessage read(const SetPositionTarget& target) {
   return go_to(enu_from_ned(target.position), 0);
 }
 
-/// Flat around the origin: within a kilometre of it, better than the estimate.
-GoalMessage read_global(double latitude, double longitude, double up, const GpsGlobalOrigin* origin) {
-  if (origin == nullptr) return refuse(kDoReposition, "the autopilot has not sent GPS_GLOBAL_ORIGIN");
-  const double north = (latitude - 1e-7 * origin->latitude) * kMetresOfDegree;
-  const double shrink = std::cos(1e-7 * origin->latitude / 180.0 * 3.14159265358979323846);
-  return go_to({(longitude - 1e-7 * origin->longitude) * kMetresOfDegree * shrink, north, up}, kDoReposition);
+GoalMessage read_global(double latitude, double longitude, double up, const LocalFrame* local) {
+  if (local == nullptr) return refuse(kDoReposition, "the autopilot has not sent GPS_GLOBAL_ORIGIN");
+  std::optional<tern::Vec3> place = place_in(*local, latitude, longitude);
+  if (!place) return refuse(kDoReposition, "it is more than 10 km from the local origin, or that is near a pole");
+  place->z = up;
+  return go_to(*place, kDoReposition);
 }
 
-GoalMessage reposition(const CommandInt& command, const GpsGlobalOrigin* origin) {
+GoalMessage reposition(const CommandInt& command, const LocalFrame* local) {
   const double x = command.x, y = command.y, z = command.z;
   switch (command.frame) {
     case kLocalNed:  // in ten-thousandths of a metre, as MAVLink has it for COMMAND_INT
       return go_to({1e-4 * y, 1e-4 * x, -z}, kDoReposition);
     case kGlobal:
     case kGlobalInt:
-      return read_global(1e-7 * x, 1e-7 * y, origin == nullptr ? z : z - 1e-3 * origin->altitude, origin);
+      return read_global(1e-7 * x, 1e-7 * y, local == nullptr ? z : z - 1e-3 * local->origin.altitude, local);
     case kGlobalRelative:
     case kGlobalRelativeInt:
-      return read_global(1e-7 * x, 1e-7 * y, z, origin);
+      return read_global(1e-7 * x, 1e-7 * y, z, local);
     default:
       return refuse(kDoReposition, "frame " + std::to_string(command.frame) +
                                        " is not read; LOCAL_NED (1), GLOBAL (0, 5) and GLOBAL_RELATIVE_ALT (3, 6) are");
@@ -73,7 +72,7 @@ GoalMessage read(const CommandLong& command) {
 
 }  // namespace
 
-std::optional<GoalMessage> read_goal(const Frame& frame, const Sender& target, const GpsGlobalOrigin* origin) {
+std::optional<GoalMessage> read_goal(const Frame& frame, const Sender& target, const LocalFrame* local) {
   if (frame.id == SetPositionTarget::kId) {
     const auto message = parse<SetPositionTarget>(frame);
     if (is_for(target, message.target_system, message.target_component)) return read(message);
@@ -81,7 +80,7 @@ std::optional<GoalMessage> read_goal(const Frame& frame, const Sender& target, c
   if (frame.id == CommandInt::kId) {
     const auto message = parse<CommandInt>(frame);
     if (!is_for(target, message.target_system, message.target_component)) return {};
-    if (message.command == kDoReposition) return reposition(message, origin);
+    if (message.command == kDoReposition) return reposition(message, local);
     return refuse(message.command, kUnknown);
   }
   if (frame.id == CommandLong::kId) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "companion/frame.hpp"
+#include "companion/globe.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern_companion {
@@ -23,9 +24,9 @@ struct GoalMessage {
   std::string reason;         ///< of a refusal
 };
 
-/// What the frame asks for, if it is for the component `target` of the system. `origin`: of the local frame; null if it
-/// is not known, which refuses goals by latitude and longitude.
-std::optional<GoalMessage> read_goal(const Frame& frame, const Sender& target, const GpsGlobalOrigin* origin);
+/// What the frame asks for, if it is for the component `target` of the system. `local`: null if its origin is not
+/// known, which refuses goals by latitude and longitude.
+std::optional<GoalMessage> read_goal(const Frame& frame, const Sender& target, const LocalFrame* local);
 
 }  // namespace tern_companion
 

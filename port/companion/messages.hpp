@@ -195,10 +195,94 @@ struct Odometry {
   }
 };
 
+/// ADSB_FLAGS, ADSB_ALTITUDE_TYPE and ADSB_EMITTER_TYPE, as far as they are used.
+constexpr std::uint16_t kAdsbPlace = 1, kAdsbAltitude = 2, kAdsbHeading = 4, kAdsbSpeed = 8, kAdsbClimb = 128;
+constexpr std::uint8_t kAdsbGeometric = 1;
+constexpr std::uint8_t kAdsbUav = 14, kAdsbEmergencyVehicle = 17, kAdsbServiceVehicle = 18;
+
+/// A transponder's report of itself, as a receiver had it. Degrees times 1e7, mm, hundredths of a degree, cm/s,
+/// upwards.
+struct AdsbVehicle {
+  static constexpr std::uint32_t kId = 246;
+  static constexpr std::uint8_t kCrcExtra = 184;
+  std::uint32_t icao = 0;
+  std::int32_t latitude = 0, longitude = 0, altitude = 0;
+  std::uint16_t heading = 0, speed = 0;
+  std::int16_t climb = 0;
+  std::uint16_t flags = 0, squawk = 0;
+  std::uint8_t altitude_type = 0;
+  std::array<char, 9> callsign{};
+  std::uint8_t emitter_type = 0, age = 0;
+  template <class M, class Visit>
+  static void fields(M& m, Visit& visit) {
+    visit(m.icao, m.latitude, m.longitude, m.altitude, m.heading, m.speed, m.climb, m.flags, m.squawk, m.altitude_type,
+          m.callsign, m.emitter_type, m.age);
+  }
+};
+
+/// UTM_DATA_AVAIL_FLAGS.
+constexpr std::uint8_t kUtmTime = 1, kUtmId = 2, kUtmPlace = 4, kUtmAltitude = 8, kUtmSpeed = 32, kUtmClimb = 64;
+
+/// A drone's report of itself. Microseconds of the Unix epoch, degrees times 1e7, mm above the ellipsoid, cm/s
+/// north-east-down, standard deviations in mm and cm/s.
+struct UtmGlobalPosition {
+  static constexpr std::uint32_t kId = 340;
+  static constexpr std::uint8_t kCrcExtra = 99;
+  std::uint64_t time = 0;
+  std::int32_t latitude = 0, longitude = 0, altitude = 0, relative_altitude = 0;
+  std::int32_t next_latitude = 0, next_longitude = 0, next_altitude = 0;
+  std::array<std::int16_t, 3> velocity{};
+  std::uint16_t horizontal_deviation = 0, vertical_deviation = 0, speed_deviation = 0, update_rate = 0;
+  std::array<std::uint8_t, 18> uas_id{};
+  std::uint8_t flight_state = 0, flags = 0;
+  template <class M, class Visit>
+  static void fields(M& m, Visit& visit) {
+    visit(m.time, m.latitude, m.longitude, m.altitude, m.relative_altitude, m.next_latitude, m.next_longitude,
+          m.next_altitude, m.velocity, m.horizontal_deviation, m.vertical_deviation, m.speed_deviation, m.update_rate,
+          m.uas_id, m.flight_state, m.flags);
+  }
+};
+
+/// Remote ID: who the sender with this address is.
+struct OpenDroneIdBasicId {
+  static constexpr std::uint32_t kId = 12900;
+  static constexpr std::uint8_t kCrcExtra = 114;
+  std::uint8_t target_system = 0, target_component = 0;
+  std::array<std::uint8_t, 20> address{};
+  std::uint8_t id_type = 0, ua_type = 0;
+  std::array<char, 20> uas_id{};
+  template <class M, class Visit>
+  static void fields(M& m, Visit& visit) {
+    visit(m.target_system, m.target_component, m.address, m.id_type, m.ua_type, m.uas_id);
+  }
+};
+
+/// Remote ID: where it is. Degrees times 1e7, m, seconds after the full hour, hundredths of a degree, cm/s, and numbers
+/// of accuracies, which hold for 95 %.
+struct OpenDroneIdLocation {
+  static constexpr std::uint32_t kId = 12901;
+  static constexpr std::uint8_t kCrcExtra = 254;
+  std::int32_t latitude = 0, longitude = 0;
+  float barometric = 0.0f, geodetic = 0.0f, height = 0.0f, time = 0.0f;
+  std::uint16_t direction = 0, speed = 0;
+  std::int16_t climb = 0;
+  std::uint8_t target_system = 0, target_component = 0;
+  std::array<std::uint8_t, 20> address{};
+  std::uint8_t status = 0, height_reference = 0, horizontal_accuracy = 0, vertical_accuracy = 0, barometer_accuracy = 0,
+               speed_accuracy = 0, time_accuracy = 0;
+  template <class M, class Visit>
+  static void fields(M& m, Visit& visit) {
+    visit(m.latitude, m.longitude, m.barometric, m.geodetic, m.height, m.time, m.direction, m.speed, m.climb,
+          m.target_system, m.target_component, m.address, m.status, m.height_reference, m.horizontal_accuracy,
+          m.vertical_accuracy, m.barometer_accuracy, m.speed_accuracy, m.time_accuracy);
+  }
+};
+
 /// All of them; frames of others cannot be checked, and are passed over.
 using Messages =
     std::tuple<Heartbeat, SystemTime, AttitudeQuaternion, LocalPositionNed, GpsGlobalOrigin, SetPositionTarget,
-               CommandInt, CommandLong, CommandAck, TimeSync, ExtendedSysState, StatusText, Odometry>;
+               CommandInt, CommandLong, CommandAck, TimeSync, ExtendedSysState, StatusText, Odometry, AdsbVehicle,
+               UtmGlobalPosition, OpenDroneIdBasicId, OpenDroneIdLocation>;
 
 }  // namespace tern_companion
 

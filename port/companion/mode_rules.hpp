@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "companion/globe.hpp"
 #include "companion/messages.hpp"
 
 namespace tern_companion {
@@ -25,15 +26,18 @@ struct ModeRules {
   bool says_landed;
   /// ODOMETRY with a counter of resets; otherwise ATTITUDE_QUATERNION and LOCAL_POSITION_NED.
   bool has_odometry;
+  /// How it draws the globe in its local frame.
+  Projection projection;
 
   bool is_in(const Heartbeat& heartbeat) const {
     return (heartbeat.base_mode & kCustomModeFlag) != 0 && (heartbeat.custom_mode & mask) == mode;
   }
 };
 
-constexpr ModeRules kPx4Rules = {kPx4, "PX4", "offboard", 6u << 16, 0xFFu << 16, 6.0f, 0.0f, true, true, true};
-constexpr ModeRules kArdupilotRules = {kArdupilot, "ArduPilot", "guided", 4u,    0xFFFFFFFFu,
-                                       4.0f,       0.0f,        false,    false, false};
+constexpr ModeRules kPx4Rules = {kPx4, "PX4", "offboard", 6u << 16, 0xFFu << 16,           6.0f,
+                                 0.0f, true,  true,       true,     Projection::kAzimuthal};
+constexpr ModeRules kArdupilotRules = {kArdupilot, "ArduPilot", "guided", 4u,    0xFFFFFFFFu,      4.0f,
+                                       0.0f,       false,       false,    false, Projection::kFlat};
 
 /// Null for autopilots that are not known.
 inline const ModeRules* rules_of(std::uint8_t autopilot) {

@@ -56,6 +56,7 @@ bool read_options(int argc, char** argv, Options& options, int& status) {
   std::string goal, mission, parameters;
   std::vector<std::string> settings;
   bool lists = false;
+  TrafficSettings& traffic = options.companion.traffic;
   app.add_option("--link", options.link, "udp:PORT, udp:HOST:PORT or serial:DEVICE:BAUD")->capture_default_str();
   app.add_option("--depth", options.depth, "path of the socket for frames of depth")->capture_default_str();
   app.add_option("--goal", goal, "EAST,NORTH,UP from the local origin, metres");
@@ -65,6 +66,13 @@ bool read_options(int argc, char** argv, Options& options, int& status) {
   app.add_option("--record", options.companion.record,
                  "a folder, for a record of each flight: tern replay flies it again");
   app.add_option("--system", options.companion.system, "of the autopilot; 0: the first one that is heard");
+  app.add_option("--own-id", traffic.own_ids,
+                 "an id under which the vehicle itself is reported: ICAO address, serial number; may be repeated");
+  app.add_option("--geoid", traffic.geoid, "metres of the sea's surface above the ellipsoid, for heights of aircraft")
+      ->check(CLI::Range(-120.0, 120.0));
+  app.add_option("--own-error", traffic.own_error, "metres by which the vehicle's position on the globe may be off")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
   app.add_flag("--switch-mode", options.companion.asks_for_mode, "ask for offboard or guided, once all is ready");
   app.add_flag("--end-at-goal", options.companion.ends_at_goal, "end a second after the arrival");
   app.add_flag("--lockstep", options.lockstep, "for simulation: take the time from the autopilot's TIMESYNC requests");

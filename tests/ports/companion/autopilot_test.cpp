@@ -81,6 +81,21 @@ TEST_F(CompanionAutopilot, KnowsModesArmingAndFlightOfBoth) {
   EXPECT_FALSE(state().in_mode);
 }
 
+/// Its clock is 2 s behind the companion's, and its receiver has Unix times.
+TEST_F(CompanionAutopilot, TellsTheUnixTime) {
+  hear_heartbeat();
+  hear_time();
+  EXPECT_FALSE(autopilot_.unix_time(now_).has_value());
+  hear(SystemTime{0, 8000});
+  EXPECT_FALSE(autopilot_.unix_time(now_).has_value()) << "without a fix";
+  hear(SystemTime{1700000000000000, 8000});  // now
+  ASSERT_TRUE(autopilot_.unix_time(now_).has_value());
+  EXPECT_EQ(*autopilot_.unix_time(now_), 1700000000000000000);
+  EXPECT_EQ(*autopilot_.unix_time(now_ + kSecond), 1700000001000000000);
+  hear(SystemTime{0, 100});  // it was restarted
+  EXPECT_FALSE(autopilot_.unix_time(now_).has_value());
+}
+
 TEST_F(CompanionAutopilot, AsksForEachMessageUntilItIsAnswered) {
   hear_heartbeat();
   std::vector<float> asked;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -116,6 +117,29 @@ TEST_F(CompanionFlies, ComesToRestOnALostLinkAndGoesOnAfterIt) {
   expect_reached(outcome);
   EXPECT_TRUE(says(outcome, "the link is lost: comes to rest"));
   EXPECT_GT(outcome.time, 14.0);
+}
+
+/// A drone hovers at the goal, and reports itself from another system of the link until the 20th second.
+TEST_F(CompanionFlies, WaitsUntilADroneHasLeftItsGoal) {
+  flight_.arguments = {"--own-error", "0.5", "--geoid", "0", "--set", "thing_memory=3"};
+  const tern::Vec3 goal = world_.goal;
+  const FlightOutcome outcome = fly_with([goal](double t, const FlightHands& hands) {
+    if (std::lround(100.0 * t) % 50 != 0) return;
+    Sender autopilot{1, kAutopilotComponent, 0}, drone{2, kAutopilotComponent, 0};
+    hands.companion.send(pack(autopilot, GpsGlobalOrigin{0, 80000000, 400000, 0}));
+    UtmGlobalPosition report;
+    constexpr double kOfMetre = 1e7 / (6371000.0 * 3.14159265358979323846 / 180.0);  // at the equator
+    report.latitude = static_cast<std::int32_t>(std::lround(kOfMetre * goal.y));
+    report.longitude = 80000000 + static_cast<std::int32_t>(std::lround(kOfMetre * goal.x));
+    report.altitude = 400000 + static_cast<std::int32_t>(std::lround(1000.0 * goal.z));
+    report.horizontal_deviation = report.vertical_deviation = 100;
+    report.speed_deviation = 1;
+    report.flags = kUtmPlace | kUtmAltitude | kUtmSpeed | kUtmClimb;
+    if (t < 20.0) hands.companion.send(pack(drone, report));
+    hands.companion.send(pack(autopilot, report));  // the vehicle's own
+  });
+  expect_reached(outcome);
+  EXPECT_GT(outcome.time, 22.0);
 }
 
 TEST_F(CompanionFlies, SeesWithTwoCameras) {

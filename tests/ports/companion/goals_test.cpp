@@ -20,14 +20,14 @@ namespace {
 constexpr double kClose = 1e-6;
 
 template <class Message>
-GoalMessage goal_of(const Message& message, const GpsGlobalOrigin* origin) {
+GoalMessage goal_of(const Message& message, const LocalFrame* local) {
   Sender ground{255, 190, 0};
   const std::vector<std::uint8_t> bytes = pack(ground, message);
   FrameReader reader;
   reader.feed(bytes.data(), bytes.size());
   Frame frame;
   EXPECT_TRUE(reader.next(frame));
-  const auto goal = read_goal(frame, Sender{1, kCompanionComponent, 0}, origin);
+  const auto goal = read_goal(frame, Sender{1, kCompanionComponent, 0}, local);
   EXPECT_TRUE(goal.has_value());
   return goal.value_or(GoalMessage{});
 }
@@ -61,10 +61,15 @@ TEST(CompanionGoals, ComeFromGroundStationsInTheirFrames) {
   command.x = origin.latitude + 899;  // 10 m north, 10 m east at 60 degrees
   command.y = origin.longitude + 1799;
   command.z = 55.0f;
-  goal = goal_of(command, &origin);
+  const LocalFrame local{origin, Projection::kAzimuthal};
+  goal = goal_of(command, &local);
   EXPECT_NEAR(goal.goal.x, 10.0, 0.02);
   EXPECT_NEAR(goal.goal.y, 10.0, 0.02);
   EXPECT_NEAR(goal.goal.z, 5.0, kClose);
+  command.x = origin.latitude + 1000000;
+  goal = goal_of(command, &local);
+  EXPECT_EQ(goal.kind, Kind::kRefused);
+  EXPECT_NE(goal.reason.find("10 km"), std::string::npos);
   CommandLong pause;
   pause.command = 193;
   pause.target_system = 1;

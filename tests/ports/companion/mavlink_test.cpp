@@ -89,6 +89,32 @@ TEST(CompanionMavlink, OdometryIsNodeMavlinks) {
   expect_frame(odometry, 13, hex + "010c0304ffab9c");
 }
 
+TEST(CompanionMavlink, ReportsOfOtherAircraftAreNodeMavlinks) {
+  AdsbVehicle aircraft{0x4ca123, 473977000, -85456000, 1234567, 27012, 7000, -512, 0x9f, 7000, 1, {}, 3, 2};
+  const std::string callsign = "RYR4TW";
+  std::copy(callsign.begin(), callsign.end(), aircraft.callsign.begin());
+  expect_frame(aircraft, 14,
+               "fd2600000e07bff6000023a14c00a850401c800be8fa87d612008469581b00fe9f00581b0152595234545700000003"
+               "02b2f4");
+  UtmGlobalPosition drone{1700000000123456, 473977000, -85456000, 1234567, 50000, 1,  2, 3,
+                          {100, -200, 50},  1500,      2500,      30,      100,   {}, 3, 0x7f};
+  for (std::size_t k = 0; k < drone.uas_id.size(); ++k) drone.uas_id[k] = static_cast<std::uint8_t>(k + 1);
+  expect_frame(drone, 15,
+               "fd4600000f07bf54010040222018240a0600a850401c800be8fa87d6120050c300000100000002000000030000006400"
+               "38ff3200dc05c4091e0064000102030405060708090a0b0c0d0e0f101112037f3c91");
+  OpenDroneIdBasicId who{0, 0, {0xa0, 0xb1, 0xc2, 0xd3, 0xe4, 0xf5}, 1, 2, {}};
+  const std::string serial = "1581F4FEC234";
+  std::copy(serial.begin(), serial.end(), who.uas_id.begin());
+  expect_frame(who, 16,
+               "fd2400001007bf6432000000a0b1c2d3e4f500000000000000000000000000000102313538314634464543323334"
+               "1740");
+  const OpenDroneIdLocation where{473977000, -85456000,   480.5f, 530.25f, 40.5f, 1800.5f, 9000, 500, -100, 0,
+                                  0,         who.address, 2,      0,       10,    4,       3,    3,   2};
+  expect_frame(where, 17,
+               "fd3b00001107bf653200a850401c800be8fa0040f04300900444000022420010e1442823f4019cff0000a0b1c2d3e4"
+               "f5000000000000000000000000000002000a040303021f9e");
+}
+
 const Bytes kGood = from_hex("fd0900000107bf00000000000600120881040337dc");
 
 TEST(CompanionMavlink, PortionsOfAnySizeGiveTheSameFrames) {
