@@ -45,11 +45,19 @@ void Onboard::add_sighting(const Sighting& sighting, std::int64_t now) {
   things_.add(sighting, newest == nullptr ? nullptr : &here, now, notices_);
 }
 
-PoseAt Onboard::pose_at(std::int64_t stamp, tern::Pose& pose) const {
+bool Onboard::body_at(std::int64_t stamp, tern::Pose& pose, double& late) const {
   const std::lock_guard lock(mutex_);
+  late = 0.0;
   const PoseAt answer = poses_.at(stamp, pose);
-  if (answer == PoseAt::kKnown) pose.position = plus(pose.position, poses_.offset());
-  return answer;
+  const StampedPose* newest = poses_.newest();
+  if (answer == PoseAt::kNotYet && newest != nullptr) {
+    pose = newest->pose;
+    late = 1e-9 * static_cast<double>(stamp - newest->stamp);
+  } else if (answer != PoseAt::kKnown) {
+    return false;
+  }
+  pose.position = plus(pose.position, poses_.offset());
+  return late <= settings_.watch.pose_gap;
 }
 
 }  // namespace tern_onboard

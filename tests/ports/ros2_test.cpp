@@ -251,6 +251,69 @@ TEST_F(Ros2, TurnsGoalsAndMissionsIntoItsFrame) {
             0);
 }
 
+/// A person stands at the goal, as a detector on the vehicle sees it; a second after its last report it counts as gone.
+TEST_F(Ros2, WaitsForAPersonThatADetectorSees) {
+  auto& p = bus().parameters;
+  p["cameras"] = std::string();
+  p["free_radius"] = 40.0;
+  p["stale_after"] = 0.0;
+  p["ceiling"] = 2.0;
+  p["detections"] = std::string("vision");
+  p["thing_memory"] = 1.0;
+  geometry_msgs::msg::Transform eye;
+  eye.translation = {0.5, 0.0, 0.0};
+  bus().transforms["base_link eye"] = eye;
+  PoseStamped at = pose_at(0, 0, 1);
+  ASSERT_EQ(run([&] {
+              bus().deliver("pose", at);
+              bus().deliver("goal", pose_at(6, 0, 1));
+              for (int k = 0; k < 1000; ++k) {
+                vision_msgs::msg::Detection3DArray seen;
+                seen.header.frame_id = "eye";
+                seen.header.stamp = at.header.stamp;
+                seen.detections.resize(2);  // the second one has no id
+                seen.detections[0].id = "1";
+                for (auto& detection : seen.detections) {
+                  detection.bbox.center.position.x = 5.5 - at.pose.position.x;
+                  detection.results = {{{"nurse", 0.9}, {}}};
+                }
+                if (k % 10 == 0) bus().deliver("detections", seen);
+                fly_exactly(0.01, at);
+              }
+              EXPECT_LT(at.pose.position.x, 6.0 - 0.4 - 0.3);
+              EXPECT_GE(fly_exactly(20.0, at), 0.0);
+            }),
+            0);
+  EXPECT_NEAR(at.pose.position.x, 6.0, 0.02);
+  EXPECT_EQ(log_count("a detection is left out that has no id"), 1);
+  EXPECT_EQ(log_count("detections with the label \"nurse\" count as other_class"), 1);
+}
+
+TEST_F(Ros2, TakesObjectsOfAutoware) {
+  bus().parameters["detections"] = std::string("autoware");
+  autoware_perception_msgs::msg::PredictedObjects seen;
+  seen.header.frame_id = "map";
+  seen.objects.resize(3);
+  for (std::uint8_t k = 0; k < 3; ++k) {
+    seen.objects[k].object_id.uuid[15] = k;
+    seen.objects[k].existence_probability = k == 2 ? 0.1f : 0.9f;
+    seen.objects[k].kinematics.initial_pose_with_covariance.pose.position.x = 50.0;
+  }
+  ASSERT_EQ(run([&] {
+              bus().deliver("pose", pose_at(0, 0, 1));
+              tern_ros::set_stamp(seen.header.stamp, bus().now());
+              bus().deliver("detections", seen);
+              tick();
+            }),
+            0);
+  const auto told = std::any_cast<diagnostic_msgs::msg::DiagnosticArray>(bus().last("/diagnostics"));
+  const auto& values = told.status.at(0).values;
+  const auto things =
+      std::find_if(values.begin(), values.end(), [](const auto& v) { return v.key == "things that move"; });
+  ASSERT_NE(things, values.end());
+  EXPECT_EQ(things->value, "2");
+}
+
 TEST_F(Ros2, RefusesParametersByName) {
   bus().parameters["cell"] = -1.0;
   EXPECT_EQ(run(), 1);
@@ -261,6 +324,14 @@ TEST_F(Ros2, RefusesParametersByName) {
   bus().parameters["output"] = std::string("joystick");
   EXPECT_EQ(run(), 1);
   EXPECT_TRUE(log_has("parameter output = \"joystick\" is refused"));
+  bus().parameters.erase("output");
+  bus().parameters["detections"] = std::string("radar");
+  EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(log_has("parameter detections = \"radar\" is refused"));
+  bus().parameters["detections"] = std::string("vision");
+  bus().parameters["other_class"] = std::string("boat");
+  EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(log_has("parameter other_class = \"boat\" is refused"));
 }
 
 TEST_F(Ros2, FollowsItsLifecycle) {

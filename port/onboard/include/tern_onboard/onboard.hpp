@@ -99,8 +99,10 @@ class Onboard {
   void add_known_points(const std::vector<tern::Vec3>& points);
   /// Something that moves was sighted. Flights keep clear of it (docs/flight.md), those that begin later, too.
   void add_sighting(const Sighting& sighting, std::int64_t now);
-  /// The body's pose at `stamp`, for what was seen from the body then, in the frame of the poses that came in.
-  PoseAt pose_at(std::int64_t stamp, tern::Pose& pose) const;
+  /// The body's pose at `stamp`, for what was seen from it then, in the frame of the poses that came in. If all poses
+  /// are older, but by no more than pose_gap, it is the newest one, and `late` says by how many seconds; else that is
+  /// 0. False if there is none.
+  bool body_at(std::int64_t stamp, tern::Pose& pose, double& late) const;
 
   /// Begins a flight at rest at the last pose. set_goal() and set_mission() do so themselves if there is none.
   Answer begin(std::int64_t now);

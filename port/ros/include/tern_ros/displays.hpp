@@ -141,6 +141,7 @@ void write_diagnostics(const tern_onboard::Onboard& onboard, std::int64_t now, D
   put("age of the pose, s", number(1e-9 * static_cast<double>(status.pose_age)));
   put("off the command, m", number(status.stray));
   put("off the command at most, m", number(status.stray_max));
+  put("things that move", std::to_string(status.things));
   put("part of the speed that this leaves", number(status.report.speed_share));
   for (const tern_onboard::SensorState& sensor : status.sensors) {
     put(sensor.name + ": frames", std::to_string(sensor.taken));

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 
 #include "tern_onboard/onboard.hpp"
 #include "tern_onboard/record_files.hpp"
+#include "tern_ros/detections.hpp"
 #include "tern_ros/inputs.hpp"
 #include "tern_ros/options.hpp"
 
@@ -118,6 +120,17 @@ class FlightTopics {
     onboard_.add_known_points(points);
   }
 
+  /// vision_msgs/Detection3DArray.
+  template <typename Detections>
+  void on_detections(const Detections& message, std::int64_t now) {
+    take_things(message.header, message.detections, now, [](auto&&... args) { return read_detection(args...); });
+  }
+  /// autoware_perception_msgs/PredictedObjects.
+  template <typename Objects>
+  void on_objects(const Objects& message, std::int64_t now) {
+    take_things(message.header, message.objects, now, [](auto&&... args) { return read_object(args...); });
+  }
+
   template <typename PoseStamped>
   void on_goal(const PoseStamped& message, std::int64_t now) {
     tern::Pose frame{};
@@ -168,6 +181,51 @@ class FlightTopics {
     if (said_.insert(key).second) log_(true, text);
   }
 
+  template <typename Header, typename List, typename Read>
+  void take_things(const Header& header, const List& list, std::int64_t now, Read read) {
+    DetectionFrame frame;
+    frame.stamp = stamp_of(header.stamp);
+    if (!find_seen_frame(header.frame_id, frame)) return;
+    for (const auto& one : list) {
+      std::string label, why;
+      const auto sighting = read(one, frame, options_.detections, label, why);
+      if (!why.empty()) once(why, why);
+      if (!label.empty() && sighting) {
+        once("label " + label,
+             "detections with the label \"" + label + "\" count as other_class: name their class in detection_classes");
+      }
+      if (sighting) onboard_.add_sighting(*sighting, now);
+    }
+  }
+  /// The pose, at the stamp, of a frame in which things were seen: the world's, or one that is fixed to the body.
+  bool find_seen_frame(const std::string& name, DetectionFrame& frame) {
+    frame.pose = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
+    if (name == options_.frame) return true;
+    const auto known = seen_from_.find(name);
+    tern::Pose mounting{};
+    std::string why;
+    if (known != seen_from_.end()) {
+      mounting = known->second;
+    } else if (lookup_(options_.body_frame, name, mounting, why)) {
+      seen_from_[name] = mounting;
+    } else {
+      once("detections " + name,
+           "detections wait, because tf2 has no \"" + name + "\" in \"" + options_.body_frame + "\": " + why);
+      return false;
+    }
+    tern::Pose body{};
+    double late = 0.0;
+    if (!onboard_.body_at(frame.stamp, body, late)) {
+      once("detections poses", "detections are left out, because there is no pose at their stamps");
+      return false;
+    }
+    const tern_onboard::Settings settings = onboard_.settings();
+    frame.pose = tern_onboard::compose(body, mounting);
+    frame.error = settings.map.pose_margin + late * settings.fly.speed;
+    frame.turn_error = settings.map.angle_margin + late * settings.fly.yaw_rate;
+    return true;
+  }
+
   bool in_frame(const std::string& frame, const char* what) {
     if (frame == options_.frame) return true;
     once(what, std::string(what) + " is refused: it is in frame \"" + frame + "\", and frame is \"" + options_.frame +
@@ -204,6 +262,7 @@ class FlightTopics {
   Log log_;
   tern_onboard::RecordFiles record_;
   std::vector<Sensor> sensors_;
+  std::map<std::string, tern::Pose> seen_from_;  // frames of detections, in the body
   std::set<std::string> said_;
 };
 

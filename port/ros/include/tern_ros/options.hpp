@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tern_ros/classes.hpp"
+
 namespace tern_ros {
 
 struct Options {
@@ -22,6 +24,7 @@ struct Options {
   double setpoint_rate = 50.0;           ///< Hz
   double display_rate = 5.0;             ///< Hz, of markers, map and diagnostics
   double via_tolerance = 0.5;            ///< m, of all points of a mission but the last
+  DetectionOptions detections;           ///< of things that move
 };
 
 inline std::vector<std::string> words_of(const std::string& text) {
@@ -46,6 +49,13 @@ inline std::string options_fault(const Options& options) {
       if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') continue;
       return "parameters cameras and lidars: the name \"" + name + "\" is refused: letters, digits and _ are allowed";
     }
+  }
+  const DetectionOptions& detections = options.detections;
+  if (!(detections.least_score >= 0.0 && detections.least_score <= 1.0)) {
+    return "parameter least_score is refused: it must be from 0 to 1";
+  }
+  if (!(detections.deviation >= 0.0 && detections.speed_deviation >= 0.0)) {
+    return "parameters detection_deviation and detection_speed_deviation are refused: they must not be negative";
   }
   if (!(options.via_tolerance >= 0.0)) return "parameter via_tolerance is refused: it must not be negative";
   const std::string fault = rate("setpoint_rate", options.setpoint_rate, 500.0);

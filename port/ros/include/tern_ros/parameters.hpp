@@ -31,6 +31,12 @@ Options read_options(const Get& get) {
   o.setpoint_rate = get("setpoint_rate", o.setpoint_rate);
   o.display_rate = get("display_rate", o.display_rate);
   o.via_tolerance = get("via_tolerance", o.via_tolerance);
+  DetectionOptions& detections = o.detections;
+  detections.kind = get("detections", detections.kind);
+  detections.least_score = get("least_score", detections.least_score);
+  detections.deviation = get("detection_deviation", detections.deviation);
+  detections.speed_deviation = get("detection_speed_deviation", detections.speed_deviation);
+  require(read_classes(get("detection_classes", std::string()), get("other_class", std::string("person")), detections));
   require(options_fault(o));
   return o;
 }

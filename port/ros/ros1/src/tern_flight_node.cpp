@@ -20,6 +20,10 @@
 #include <mavros_msgs/State.h>
 #define TERN_ROS_HAS_MAVROS
 #endif
+#if __has_include(<vision_msgs/Detection3DArray.h>)
+#include <vision_msgs/Detection3DArray.h>
+#define TERN_ROS_HAS_VISION
+#endif
 
 #include <cstdlib>
 #include <functional>
@@ -124,6 +128,20 @@ class Node {
     on<geometry_msgs::PoseStamped>("goal", 1, [this](const auto& m) { topics_.on_goal(m, now_ns()); });
     on<nav_msgs::Path>("mission", 1, [this](const auto& m) { topics_.on_mission(m, now_ns()); });
     on<std_msgs::Empty>("stop", 1, [this](const auto&) { topics_.on_stop(); });
+    listen_to_detections();
+  }
+
+  void listen_to_detections() {
+    const std::string& kind = options_.detections.kind;
+    if (kind.empty()) return;
+#ifdef TERN_ROS_HAS_VISION
+    if (kind == "vision") {
+      return on<vision_msgs::Detection3DArray>("detections", 4,
+                                               [this](const auto& m) { topics_.on_detections(m, now_ns()); });
+    }
+#endif
+    throw std::invalid_argument("parameter detections = \"" + kind +
+                                "\" is refused: this node can read vision if it was built with vision_msgs");
   }
 
   void advertise() {

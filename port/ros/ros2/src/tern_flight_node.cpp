@@ -25,6 +25,7 @@
 #include <string>
 #include <visualization_msgs/msg/marker_array.hpp>
 
+#include "detections.hpp"
 #include "senders.hpp"
 #include "tern_ros/displays.hpp"
 #include "tern_ros/flight_topics.hpp"
@@ -166,6 +167,7 @@ class Node : public LifecycleNode {
     on<geometry_msgs::msg::PoseStamped>("goal", reliable, [this](const auto& m) { topics_->on_goal(m, now_ns()); });
     on<nav_msgs::msg::Path>("mission", reliable, [this](const auto& m) { topics_->on_mission(m, now_ns()); });
     on<std_msgs::msg::Empty>("stop", reliable, [this](const auto&) { topics_->on_stop(); });
+    tern_ros::listen_to_detections({*this, *onboard_, *topics_, options_, subscriptions_}, [this] { return now_ns(); });
   }
 
   void advertise() {
