@@ -316,6 +316,47 @@ class Flights(unittest.TestCase):
             rolling_map.finish()
             self.assertEqual(rolling_map.seen((30, 10, 10)), stated > 0.0)
 
+    def test_among_things_that_move(self):
+        rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)
+        rolling_map.assume_free((0, 0, 1.5), 6.0)
+        flight = tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0)
+        self.assertIsNone(flight.rest_clear_until())
+        # A bird that may do next to nothing comes along the way, 4 m ahead at 1 m/s.
+        bird = tern.Track.of_class("bird", (4.0, 0.0, 1.5), velocity=(-1.0, 0.0, 0.0), radius=0.2, error=0.05,
+                                   error_growth=0.0, reach=0.0)
+        flight.update_track(7, bird)
+        # It is at the vehicle after it has flown 4 m less 0.35 + 0.2 + 0.05 m.
+        self.assertAlmostEqual(1e-9 * flight.rest_clear_until(), 3.4, delta=0.02)
+        with self.assertRaises(tern.TernError) as raised:
+            flight.update_track(7, tern.Track((4.0, 0.0, 1.5), measured=-1))
+        self.assertEqual(raised.exception.status, "clock_behind")
+        with self.assertRaises(tern.TernError) as raised:
+            flight.update_track(8, tern.Track((float("nan"), 0.0, 1.5)))
+        self.assertEqual(raised.exception.status, "non_finite_input")
+        self.assertIn("track 8", str(raised.exception))
+        flight.set_goal((5.0, 0.0, 1.5))
+        now, least = 0, 1e9
+        while now < 20_000_000_000:
+            tick = flight.tick(now)
+            here = flight.command(now).position
+            least = min(least, np.linalg.norm(here - [4.0 - 1e-9 * now, 0.0, 1.5]))
+            if tick.arrived:
+                break
+            now += flight.tick_ns
+        self.assertTrue(tick.arrived)
+        self.assertGreaterEqual(least, 0.35 + 0.2 + 0.05 - 1e-6)
+        flight.forget_track(7)
+        with self.assertRaises(tern.TernError):
+            flight.forget_track(7)
+        # A truck that stands on the goal is named, while it is there.
+        truck = tern.Track.of_class("truck", (5.0, 0.0, 1.5), measured=now)
+        self.assertEqual((truck.shape, truck.radius, truck.half[2], truck.reach), ("cylinder", 9.5, 2.0, 28.0))
+        flight.update_track(9, truck)
+        flight.set_goal((0.0, 0.0, 1.5))
+        self.assertEqual({flight.tick(now + k * flight.tick_ns).blocked_by for k in range(1, 300)} - {"nothing"}, {"track"})
+        with self.assertRaises(ValueError):
+            tern.Track.of_class("boat", (0, 0, 0))
+
     def test_a_fence_in_the_way_is_named(self):
         rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)
         rolling_map.assume_free((0, 0, 1.5), 6.0)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Sequence
+from typing import Optional, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -12,9 +12,11 @@ import numpy.typing as npt
 from tern._library import ffi, lib, points, require, triple, vector, voxel, words
 from tern.planner import Planner
 from tern.request import Fence, Limits, c_fences
+from tern.track import Track, c_tracks
 
 _MODES = ("rest", "look", "fly", "stop", "threat")
-_BLOCKERS = ("nothing", "unseen", "obstacle", "window", "fence")
+_BLOCKERS = ("nothing", "unseen", "obstacle", "window", "fence", "track")
+_NEVER = 2**63 - 1  # INT64_MAX
 
 
 class RollingMap:
@@ -205,6 +207,26 @@ class Flight:
     def note_position(self, position: Sequence[float], t: int) -> None:
         """Says where the vehicle was measured to be at time `t`. It flies slower while it strays from its plan."""
         require(lib.tern_flight_note_position(self.struct, ffi.new("tern_vec3*", vector(position)), t), "position")
+
+    def update_track(self, id: int, track: Track) -> None:
+        """A thing that moves was measured. `id`, 0 .. 2**32 - 1, says who it is: the next measurement of the same thing has
+        the same one, and takes its place. `track` has no pieces, and its `measured` is no more than a tick after the last
+        tick. Raises TernError: tracks_full, clock_behind for one older than the last, invalid_argument,
+        non_finite_input."""
+        kept: list = []
+        struct = c_tracks([track], kept)
+        struct[0].id = id
+        require(lib.tern_flight_update_track(self.struct, struct), f"track {id}")
+
+    def forget_track(self, id: int) -> None:
+        """The thing is gone for certain. Raises TernError if there is none with this id."""
+        require(lib.tern_flight_forget_track(self.struct, id), f"track {id}")
+
+    def rest_clear_until(self) -> Optional[int]:
+        """Until when the place where the committed plan ends stays clear of all things that move, nanoseconds; None if
+        nothing comes there within an hour. Computes a proof: call it once a tick at most."""
+        until = lib.tern_flight_rest_clear_until(self.struct)
+        return None if until == _NEVER else until
 
     def set_clock(self, t: int) -> None:
         """The clock was set, back or ahead, and shows `t` now: one tick after the last one."""

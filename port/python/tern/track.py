@@ -13,6 +13,7 @@ from tern.trajectory import Trajectory
 
 _ZERO = (0.0, 0.0, 0.0)
 _SHAPES = ("ball", "cylinder", "box")
+CLASSES = ("person", "cyclist", "car", "truck", "bird", "drone", "aircraft")
 _ENDS = ("goes on", "gone", "stays", "reach")
 
 
@@ -51,6 +52,17 @@ class Track:
         curve = tuple((pieces[i].duration, tuple(triple(p) for p in pieces[i].points)) for i in range(struct.piece_count))
         known = {"position": triple(struct.position), "radius": struct.radius, "measured": struct.measured,
                  "until": struct.until, "end": _ENDS[struct.end], "pieces": curve}
+        return cls(**{**known, **more})
+
+    @classmethod
+    def of_class(cls, kind: str, position: Sequence[float], **more) -> "Track":
+        """A thing of a class of CLASSES at a position: its shape and size, and what it may do (error_growth, reach).
+        `more`: further members, such as velocity, measured and error, or bounds of your own. Raises ValueError for a class
+        that is none."""
+        struct = ffi.new("tern_track*")
+        require(lib.tern_track_of_class(CLASSES.index(kind), struct), "class")
+        known = {"position": position, "shape": _SHAPES[struct.shape], "radius": struct.radius,
+                 "half": triple(struct.half), "error_growth": struct.error_growth, "reach": struct.reach}
         return cls(**{**known, **more})
 
 
