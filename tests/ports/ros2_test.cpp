@@ -37,6 +37,15 @@ long log_count(const std::string& text) {
                        [&text](const std::string& line) { return line.find(text) != std::string::npos; });
 }
 
+/// A value of the last diagnostics.
+std::string diagnosed(const std::string& key) {
+  const auto told = std::any_cast<diagnostic_msgs::msg::DiagnosticArray>(bus().last("/diagnostics"));
+  for (const auto& value : told.status.at(0).values) {
+    if (value.key == key) return value.value;
+  }
+  return "none";
+}
+
 class Ros2 : public testing::Test {
  protected:
   void SetUp() override {
@@ -285,8 +294,34 @@ TEST_F(Ros2, WaitsForAPersonThatADetectorSees) {
             }),
             0);
   EXPECT_NEAR(at.pose.position.x, 6.0, 0.02);
-  EXPECT_EQ(log_count("a detection is left out that has no id"), 1);
+  EXPECT_EQ(log_count("detections are left out that have no id: set the parameter tracker"), 1);
   EXPECT_EQ(log_count("detections with the label \"nurse\" count as other_class"), 1);
+}
+
+/// Two people who walk past each other in lanes of their own, seen without ids, are two things.
+TEST_F(Ros2, TracksWhatHasNoIds) {
+  bus().parameters["detections"] = std::string("vision");
+  bus().parameters["tracker"] = true;
+  ASSERT_EQ(run([] {
+              for (int k = 0; k < 40; ++k) {
+                bus().deliver("pose", pose_at(0, 0, 1));
+                vision_msgs::msg::Detection3DArray seen;
+                seen.header.frame_id = "map";
+                tern_ros::set_stamp(seen.header.stamp, bus().now());
+                seen.detections.resize(2);
+                for (int p = 0; p < 2; ++p) {
+                  auto& at = seen.detections[static_cast<std::size_t>((p + k) % 2)].bbox.center.position;
+                  at.x = p == 0 ? 20.0 + 0.1 * k : 24.0 - 0.1 * k;
+                  at.y = 3.0 * p;
+                  at.z = 1.0;
+                }
+                bus().deliver("detections", seen);
+                for (int tenth = 0; tenth < 10; ++tenth) tick();
+              }
+            }),
+            0);
+  EXPECT_EQ(log_count("have no id"), 0);
+  EXPECT_EQ(diagnosed("things that move"), "2");
 }
 
 TEST_F(Ros2, TakesObjectsOfAutoware) {
@@ -306,12 +341,7 @@ TEST_F(Ros2, TakesObjectsOfAutoware) {
               tick();
             }),
             0);
-  const auto told = std::any_cast<diagnostic_msgs::msg::DiagnosticArray>(bus().last("/diagnostics"));
-  const auto& values = told.status.at(0).values;
-  const auto things =
-      std::find_if(values.begin(), values.end(), [](const auto& v) { return v.key == "things that move"; });
-  ASSERT_NE(things, values.end());
-  EXPECT_EQ(things->value, "2");
+  EXPECT_EQ(diagnosed("things that move"), "2");
 }
 
 TEST_F(Ros2, RefusesParametersByName) {

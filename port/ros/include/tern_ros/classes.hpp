@@ -28,6 +28,7 @@ struct DetectionOptions {
   std::string kind;  ///< of the messages: vision, autoware, or none
   std::map<std::string, tern::TrackClass> labels = known_labels();
   tern::TrackClass other_class = tern::TrackClass::kPerson;  ///< of what has another label, or none
+  bool tracker = false;                                      ///< detections have no identities or velocities: find them
   double least_score = 0.3;                                  ///< of detections that count
   double deviation = 0.3;                                    ///< m, of a position whose covariance is not given
   double speed_deviation = 0.5;                              ///< m/s, likewise

@@ -103,18 +103,13 @@ auto score_of(const Hypothesis& h, long) -> decltype(static_cast<double>(h.score
   return h.score;
 }
 
-/// A vision_msgs/Detection3D. It has no velocity. Nothing if its score is too low, or for the reason in `why`; `label`
-/// is its class if that is not known.
+/// A vision_msgs/Detection3D. It has no velocity, and perhaps no name. Nothing if its score is too low, or for the
+/// reason in `why`; `label` is its class if that is not known.
 template <typename Detection>
 std::optional<tern_onboard::Sighting> read_detection(const Detection& detection, const DetectionFrame& frame,
                                                      const DetectionOptions& options, std::string& label,
                                                      std::string& why) {
   tern_onboard::Sighting sighting;
-  const std::string id = identity_of(detection, 0);
-  if (id.empty()) {
-    why = "a detection is left out that has no id: put a tracker between the detector and this node";
-    return {};
-  }
   using Results = std::decay_t<decltype(detection.results)>;
   const typename Results::value_type* best = nullptr;
   for (const auto& result : detection.results) {
@@ -130,7 +125,8 @@ std::optional<tern_onboard::Sighting> read_detection(const Detection& detection,
     return {};
   }
   set_size(world.quaternion, vector_of(box.size), sighting);
-  sighting.name = "detection " + id;
+  const std::string id = identity_of(detection, 0);
+  if (!id.empty()) sighting.name = "detection " + id;
   sighting.deviation = best == nullptr ? options.deviation : deviation_of(best->pose.covariance, options.deviation);
   return sighting;
 }

@@ -28,6 +28,10 @@ using Lookup =
 /// Writes to the node's log, as a warning if `bad`.
 using Log = std::function<void(bool bad, const std::string& text)>;
 
+/// Gives the detections of one scan names and velocities.
+using Tracker = std::function<std::vector<tern_onboard::Sighting>(
+    std::int64_t stamp, const std::vector<tern_onboard::Sighting>& detections)>;
+
 /// Its calls come from one thread; Onboard's may come from others.
 class FlightTopics {
  public:
@@ -120,6 +124,8 @@ class FlightTopics {
     onboard_.add_known_points(points);
   }
 
+  /// From now on, what is seen at one stamp goes through this, which gives it names and velocities.
+  void set_tracker(Tracker tracker) { tracker_ = std::move(tracker); }
   /// vision_msgs/Detection3DArray.
   template <typename Detections>
   void on_detections(const Detections& message, std::int64_t now) {
@@ -184,6 +190,7 @@ class FlightTopics {
   template <typename Header, typename List, typename Read>
   void take_things(const Header& header, const List& list, std::int64_t now, Read read) {
     DetectionFrame frame;
+    std::vector<tern_onboard::Sighting> seen;
     frame.stamp = stamp_of(header.stamp);
     if (!find_seen_frame(header.frame_id, frame)) return;
     for (const auto& one : list) {
@@ -194,7 +201,15 @@ class FlightTopics {
         once("label " + label,
              "detections with the label \"" + label + "\" count as other_class: name their class in detection_classes");
       }
-      if (sighting) onboard_.add_sighting(*sighting, now);
+      if (sighting) seen.push_back(*sighting);
+    }
+    if (tracker_) seen = tracker_(frame.stamp, seen);
+    for (const tern_onboard::Sighting& sighting : seen) {
+      if (!sighting.name.empty()) {
+        onboard_.add_sighting(sighting, now);
+      } else {
+        once("no id", "detections are left out that have no id: set the parameter tracker");
+      }
     }
   }
   /// The pose, at the stamp, of a frame in which things were seen: the world's, or one that is fixed to the body.
@@ -262,6 +277,7 @@ class FlightTopics {
   Log log_;
   tern_onboard::RecordFiles record_;
   std::vector<Sensor> sensors_;
+  Tracker tracker_;
   std::map<std::string, tern::Pose> seen_from_;  // frames of detections, in the body
   std::set<std::string> said_;
 };

@@ -33,6 +33,7 @@ Options read_options(const Get& get) {
   o.via_tolerance = get("via_tolerance", o.via_tolerance);
   DetectionOptions& detections = o.detections;
   detections.kind = get("detections", detections.kind);
+  detections.tracker = get("tracker", detections.tracker);
   detections.least_score = get("least_score", detections.least_score);
   detections.deviation = get("detection_deviation", detections.deviation);
   detections.speed_deviation = get("detection_speed_deviation", detections.speed_deviation);

@@ -36,6 +36,7 @@
 #include "tern_ros/flight_topics.hpp"
 #include "tern_ros/parameters.hpp"
 #include "tern_ros/tick_loop.hpp"
+#include "tern_ros/tracking.hpp"
 
 namespace {
 
@@ -128,6 +129,7 @@ class Node {
     on<geometry_msgs::PoseStamped>("goal", 1, [this](const auto& m) { topics_.on_goal(m, now_ns()); });
     on<nav_msgs::Path>("mission", 1, [this](const auto& m) { topics_.on_mission(m, now_ns()); });
     on<std_msgs::Empty>("stop", 1, [this](const auto&) { topics_.on_stop(); });
+    tern_ros::use_tracker(topics_, options_);
     listen_to_detections();
   }
 

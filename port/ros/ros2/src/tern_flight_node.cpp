@@ -31,6 +31,7 @@
 #include "tern_ros/flight_topics.hpp"
 #include "tern_ros/parameters.hpp"
 #include "tern_ros/tick_loop.hpp"
+#include "tern_ros/tracking.hpp"
 
 namespace {
 
@@ -167,6 +168,7 @@ class Node : public LifecycleNode {
     on<geometry_msgs::msg::PoseStamped>("goal", reliable, [this](const auto& m) { topics_->on_goal(m, now_ns()); });
     on<nav_msgs::msg::Path>("mission", reliable, [this](const auto& m) { topics_->on_mission(m, now_ns()); });
     on<std_msgs::msg::Empty>("stop", reliable, [this](const auto&) { topics_->on_stop(); });
+    tern_ros::use_tracker(*topics_, options_);
     tern_ros::listen_to_detections({*this, *onboard_, *topics_, options_, subscriptions_}, [this] { return now_ns(); });
   }
 
