@@ -14,6 +14,9 @@ REFUSED = [
     ("setpoint_rate", "often", "parameter setpoint_rate is refused: it is no number"),
     ("frame", 7, "parameter frame is refused: it is no text"),
     ("camera/most", -1.0, "parameter camera/most = -1 m is refused"),
+    ("tracker", "yes", "parameter tracker is refused: it is no bool"),
+    ("detections", "radar", 'parameter detections = "radar" is refused'),
+    ("other_class", "boat", 'parameter other_class = "boat" is refused'),
     ("output", "joystick", 'parameter output = "joystick" is refused'),
 ]
 

@@ -56,8 +56,9 @@ ros::Time time_of(std::int64_t ns) {
 auto parameters_of(const ros::NodeHandle& own) {
   return [&own](const std::string& name, auto value) {
     if (own.hasParam(name) && !own.getParam(name, value)) {
-      const bool number = std::is_same_v<decltype(value), double>;
-      throw std::invalid_argument("parameter " + name + " is refused: it is no " + (number ? "number" : "text"));
+      using Value = decltype(value);
+      const char* const kind = std::is_same_v<Value, double> ? "number" : std::is_same_v<Value, bool> ? "bool" : "text";
+      throw std::invalid_argument("parameter " + name + " is refused: it is no " + kind);
     }
     return value;
   };

@@ -7,13 +7,13 @@
 
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Vector3.h>
-#include <ros/message_traits.h>
-#include <ros/serialization.h>
 #include <std_msgs/Header.h>
 
 #include <boost/shared_ptr.hpp>
 #include <cstdint>
 #include <string>
+
+#include "standin.hpp"
 
 namespace mavros_msgs {
 struct State {
@@ -49,37 +49,5 @@ struct PositionTarget {
 };
 }  // namespace mavros_msgs
 
-#define TERN_ROS1_STANDIN(Message)                                      \
-  namespace ros::message_traits {                                       \
-  template <>                                                           \
-  struct IsMessage<Message> : TrueType {};                              \
-  template <>                                                           \
-  struct HasHeader<Message> : TrueType {};                              \
-  template <>                                                           \
-  struct MD5Sum<Message> {                                              \
-    static const char* value() { return Message::kSum; }                \
-    static const char* value(const Message&) { return Message::kSum; }  \
-  };                                                                    \
-  template <>                                                           \
-  struct DataType<Message> {                                            \
-    static const char* value() { return Message::kType; }               \
-    static const char* value(const Message&) { return Message::kType; } \
-  };                                                                    \
-  template <>                                                           \
-  struct Definition<Message> {                                          \
-    static const char* value() { return Message::kType; }               \
-    static const char* value(const Message&) { return Message::kType; } \
-  };                                                                    \
-  }                                                                     \
-  namespace ros::serialization {                                        \
-  template <>                                                           \
-  struct Serializer<Message> {                                          \
-    template <typename Stream, typename Self>                           \
-    inline static void allInOne(Stream& stream, Self m) {               \
-      Message::all(stream, m);                                          \
-    }                                                                   \
-    ROS_DECLARE_ALLINONE_SERIALIZER                                     \
-  };                                                                    \
-  }
 TERN_ROS1_STANDIN(mavros_msgs::State)
 TERN_ROS1_STANDIN(mavros_msgs::PositionTarget)
