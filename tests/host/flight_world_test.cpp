@@ -216,9 +216,10 @@ TEST(FlightWorld, SaysWhatToDoAboutTime) {
   EXPECT_EQ(refusal("keepout 1 1 1 2 2 2 during 0 5"),
             ":2: flights take no fences for a while: leave out 'during', and the fence always holds. 'tern plan' plans "
             "with its times");
-  EXPECT_EQ(refusal("track a ball 0.3 at 3 3 1"),
-            ":2: there is no record 'track' for flights: they plan around what their map shows. Leave it out, or let "
-            "'tern plan' plan among things that move");
+  EXPECT_EQ(
+      refusal("track a ball 0.3 at 3 3 1"),
+      ":2: there is no record 'track' for flights: what moves in a flight's world is a 'thing', which says how it "
+      "moves. 'tern plan' plans among tracks");
 }
 
 TEST(ClearEnds, AreAtLeastTheRadiusFromEverything) {

@@ -114,6 +114,20 @@ void print_in_vain(const std::vector<tern::UnseenVoxel>& voxels) {
               most.center.z);
 }
 
+/// How often the body touched a thing that moves, and the first one that it touched while it moved itself.
+void print_things(const tern_host::FlightWorld& world, const tern_host::ThingTotals& totals) {
+  if (world.things.empty()) return;
+  std::printf("things: %zu, %zu known at once at most; touched %d in motion, %d at rest\n", world.things.size(),
+              totals.detector.most_known, totals.in_motion(), totals.at_rest());
+  for (const tern_host::ThingContact& contact : totals.contacts) {
+    if (!contact.in_motion) continue;
+    std::printf("touched %s at %.3f s, at %.2f m/s; it was %s the tube that the plan was proven with\n",
+                world.things[contact.thing].name.c_str(), contact.time, contact.speed,
+                contact.in_tube ? "in" : "not in");
+    return;
+  }
+}
+
 void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& result) {
   const double mean = result.time > 0.0 ? result.length / result.time : 0.0;
   std::printf("%s after %.2f s, %.2f m, %.2f m/s on average\n", result.status.c_str(), result.time, result.length,
@@ -123,6 +137,7 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
   if (result.narrow.axis != 0) std::printf("too narrow: %s\n", result.narrow.text().c_str());
   if (!result.reached()) print_in_vain(result.looked_in_vain);
   if (!world.vias.empty()) print_mission(result);
+  print_things(world, result.things);
   if (result.view_wait > 0.0) std::printf("the field of view slowed the flight for %.2f s\n", result.view_wait);
   std::printf("least clearance %.3f m\n", result.min_clearance);
   print_tracking(result, world.settings.tracking_margin);
@@ -250,7 +265,9 @@ void add_fly_command(CLI::App& app, int& exit_status) {
       "B (bug trap), O (storey with doors), M (maze); missions: L (survey lines), G (lap through ten gates),\n"
       "I (inspection), D (delivery); with a camera fixed to the body: V (up and down), F (open field),\n"
       "K (from the ground to the ground), H (hills), T30 (slope), E (power lines), R (leaning trunks),\n"
-      "W (warehouse), N (nets), Q (lap round a room), X (window), U (stairs).\n"
+      "W (warehouse), N (nets), Q (lap round a room), X (window), U (stairs); where things move: T1-50 to T1-250,\n"
+      "T4 and T5-50 to T5-200 (published with MADER, DYNUS and SANDO), B50, B100 (boxes on knots), CW (crowd in\n"
+      "offices), RX (road crossing), MF (forest with people, carts and birds), HU (hunters).\n"
       "Exit status 3 where the goal is not reached, or the tracking error exceeds its margin.");
   command->callback([options, &exit_status] { exit_status = fly(*options); });
 }

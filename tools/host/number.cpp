@@ -90,4 +90,15 @@ std::string exact(double value) {
   return out.str();
 }
 
+std::string shortest(double value) {
+  for (int digits = 1; digits < 17; ++digits) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << std::setprecision(digits) << value;
+    double read = 0.0;
+    if (parse_number(out.str(), read) == NumberError::kNone && read == value) return out.str();
+  }
+  return exact(value);
+}
+
 }  // namespace tern_host

@@ -7,6 +7,7 @@
 
 #include "base/track_fault.hpp"
 #include "host/fence_record.hpp"
+#include "host/word_queue.hpp"
 #include "tern/config.hpp"
 #include "tern/status.hpp"
 
@@ -18,63 +19,8 @@ using tern::TrackEnd;
 using tern::TrackShape;
 using tern::Vec3;
 
-/// Seconds; further away, nanoseconds do not fit.
-constexpr double kMostSeconds = 9e9;
-
-/// The words of a record, one after the other.
-class WordQueue {
- public:
-  WordQueue(const Words& words, const Place& place) : words_(words), place_(place) {}
-
-  bool empty() const { return next_ == words_.size(); }
-  const std::string& word(const char* what) {
-    if (empty()) throw RecordError(place_, std::string("'track' ends where ") + what + " is missing");
-    return words_[next_++];
-  }
-  double value(const char* what) { return number(word(what), place_); }
-  double size(const char* what) {
-    const double found = value(what);
-    if (!(found >= 0.0)) throw RecordError(place_, std::string(what) + " must not be less than 0");
-    return found;
-  }
-  Vec3 place(const char* what) {
-    const double x = value(what);
-    const double y = value(what);
-    return {x, y, value(what)};
-  }
-  std::int64_t time(const char* what) {
-    const double seconds = value(what);
-    if (!(std::fabs(seconds) <= kMostSeconds)) throw RecordError(place_, std::string(what) + " is too far away");
-    return nanoseconds(seconds);
-  }
-
- private:
-  const Words& words_;
-  const Place& place_;
-  std::size_t next_ = 1;
-};
-
-void read_shape(WordQueue& queue, const Place& place, Track& track) {
-  const std::string shape = queue.word("its shape");
-  if (shape == "ball") {
-    track.shape = TrackShape::kBall;
-    track.radius = queue.size("the radius");
-  } else if (shape == "cylinder") {
-    track.shape = TrackShape::kCylinder;
-    track.radius = queue.size("the radius");
-    track.half.z = 0.5 * queue.size("the height");
-  } else if (shape == "box") {
-    track.shape = TrackShape::kBox;
-    const double x = queue.size("half an edge");
-    const double y = queue.size("half an edge");
-    track.half = {x, y, queue.size("half an edge")};
-  } else {
-    throw RecordError(place, "a track is a 'ball', a 'cylinder' or a 'box', found " + quote(shape));
-  }
-}
-
 void read_end(WordQueue& queue, const Place& place, Track& track) {
-  track.until = queue.time("the time of 'until'");
+  track.until = queue.nanoseconds("the time of 'until'");
   const std::string end = queue.word("what follows");
   if (end == "gone") {
     track.end = TrackEnd::kGone;
@@ -90,10 +36,10 @@ void read_end(WordQueue& queue, const Place& place, Track& track) {
 void read_word(const std::string& word, WordQueue& queue, const Place& place, TrackRecord& record) {
   Track& track = record.track;
   if (word == "at") {
-    track.position = queue.place("its place");
+    track.position = queue.vector("its place");
     record.has_place = true;
   } else if (word == "velocity") {
-    track.velocity = queue.place("its velocity");
+    track.velocity = queue.vector("its velocity");
   } else if (word == "error") {
     track.error = queue.size("the error");
     track.error_speed = queue.size("the error");
@@ -101,7 +47,7 @@ void read_word(const std::string& word, WordQueue& queue, const Place& place, Tr
   } else if (word == "reach") {
     track.reach = queue.size("its reach");
   } else if (word == "from") {
-    track.measured = queue.time("the time of 'from'");
+    track.measured = queue.nanoseconds("the time of 'from'");
     record.has_from = true;
   } else if (word == "until") {
     read_end(queue, place, track);
@@ -157,12 +103,31 @@ std::int64_t nanoseconds(double seconds) {
   return std::llround(seconds * 1e9);
 }
 
+void read_shape(WordQueue& queue, Track& track) {
+  const std::string shape = queue.word("its shape");
+  if (shape == "ball") {
+    track.shape = TrackShape::kBall;
+    track.radius = queue.size("the radius");
+  } else if (shape == "cylinder") {
+    track.shape = TrackShape::kCylinder;
+    track.radius = queue.size("the radius");
+    track.half.z = 0.5 * queue.size("the height");
+  } else if (shape == "box") {
+    track.shape = TrackShape::kBox;
+    const double x = queue.size("half an edge");
+    const double y = queue.size("half an edge");
+    track.half = {x, y, queue.size("half an edge")};
+  } else {
+    queue.refuse("a " + queue.record() + " is a 'ball', a 'cylinder' or a 'box', found " + quote(shape));
+  }
+}
+
 TrackRecord read_track(const Words& words, const Place& place) {
   TrackRecord record;
   record.place = place;
   WordQueue queue(words, place);
   record.id = queue.word("its name");
-  read_shape(queue, place, record.track);
+  read_shape(queue, record.track);
   while (!queue.empty()) {
     const std::string word = queue.word("a word");
     read_word(word, queue, place, record);

@@ -12,6 +12,7 @@
 
 #include "host/fence_record.hpp"
 #include "host/text_records.hpp"
+#include "host/word_queue.hpp"
 #include "tern/grid.hpp"
 #include "tern/track.hpp"
 
@@ -27,6 +28,9 @@ struct TrackRecord {
   bool is_fence = false;  ///< a keep-out box for a while
   Place place;
 };
+
+/// ball RADIUS, cylinder RADIUS HEIGHT or box HALF_X HALF_Y HALF_Z, into the track. Throws RecordError.
+void read_shape(WordQueue& queue, tern::Track& track);
 
 /// track ID SHAPE ... Throws RecordError.
 TrackRecord read_track(const Words& words, const Place& place);

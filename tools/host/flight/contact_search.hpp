@@ -12,13 +12,19 @@
 
 namespace tern_host {
 
+/// The most that a body accelerates, m/s^2: by a thrust of four times the weight, gravity and drag, or as it is told
+/// to.
+inline double most_acceleration(const FlightSettings& settings) {
+  return std::max(60.0, 2.0 * settings.a_max);
+}
+
 /// Looks for contacts between two ticks: from where the body is, it cannot touch anything before it has flown as far as
 /// its clearance leaves room, at its speed and the most that it accelerates. Where there is less room than a millimetre
 /// it is looked at once a millimetre, so that a contact is missed only if it is less than a micrometre deep.
 class ContactSearch {
  public:
   ContactSearch(const FlightSettings& settings, const Vehicle& vehicle, double clearance)
-      : body_(settings.body_radius), most_(std::max(kMostAcceleration, 2.0 * settings.a_max)) {
+      : body_(settings.body_radius), most_(most_acceleration(settings)) {
     at(vehicle, clearance);
   }
 
@@ -35,7 +41,6 @@ class ContactSearch {
   }
 
  private:
-  static constexpr double kMostAcceleration = 60.0;  // m/s^2: a thrust of four times the weight, gravity and drag
   static constexpr double kLeastWay = 1e-3;
   static constexpr std::int64_t kLeastTime = 20000;  // nanoseconds: a millimetre at 50 m/s
 

@@ -7,6 +7,7 @@
 #include "host/flight/commits_json.hpp"
 #include "host/flight/simulated_flight.hpp"
 #include "host/flight/straight_way.hpp"
+#include "host/flight/things_json.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -78,6 +79,15 @@ Json settings_json(const FlightSettings& s) {
           {"drag", s.air.drag},
           {"stack_speed", s.stack_speed},
           {"seed", s.seed},
+          {"things", s.things},
+          {"detection_hz", s.detection_hz},
+          {"detection_latency", s.detection_latency},
+          {"detection_error", {s.detection_error, s.detection_speed_error}},
+          {"detection_range", s.detection_range},
+          {"detection_misses", s.detection_misses},
+          {"detection_swaps", s.detection_swaps},
+          {"detection_occlusion", s.detection_occlusion},
+          {"thing_bounds", s.thing_bounds},
           {"frames_until", s.frames_until},
           {"pose_jump", {s.pose_jump.size, s.pose_jump.every}},
           {"pose_drift", s.pose_drift},
@@ -202,6 +212,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
   if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);
   if (result.contact.happened) json["contact"] = contact_json(result.contact);
+  if (!world.things.empty()) json["things"] = things_json(world, result);
   if (result.full_knowledge > 0.0) json["full_knowledge_s"] = result.full_knowledge;
   if (with_commits) {
     json["true_world"] = true_world_json(world);

@@ -73,7 +73,10 @@ void FlightRecorder::note(std::int64_t t, const tern::Command& command, const Ve
   work_.push_back(skipped ? 0 : report.work);
   result_.work_total += work_.back();
   hash(command.sample);
-  add_row(seconds, command, vehicle, yaw, report, skipped ? "skipped" : (committed ? "commit" : ""));
+  const bool tells_touch = touched_ && !skipped && !committed;
+  const char* const event = skipped ? "skipped" : (committed ? "commit" : (tells_touch ? "touched" : ""));
+  add_row(seconds, command, vehicle, yaw, report, event);
+  touched_ = touched_ && !tells_touch;
   last_ = report;
 }
 

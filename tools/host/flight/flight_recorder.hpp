@@ -25,6 +25,8 @@ class FlightRecorder {
             const tern::FlightReport& report, bool skipped = false);
   /// Between two ticks.
   void note_clearance(const Vehicle& vehicle);
+  /// The body touched a thing that moves: an event of the next row that has no other.
+  void note_touch() { touched_ = true; }
   /// The vehicle's distance from everything after the last note.
   double clearance_now() const { return clearance_; }
   /// The largest errors so far.
@@ -45,6 +47,7 @@ class FlightRecorder {
   std::vector<std::uint32_t> work_;
   double squares_ = 0.0;  ///< of tracking errors, summed
   double clearance_ = 0.0;
+  bool touched_ = false;
 };
 
 }  // namespace tern_host

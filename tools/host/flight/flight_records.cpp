@@ -5,6 +5,7 @@
 
 #include "host/fence_record.hpp"
 #include "host/flight/air_records.hpp"
+#include "host/flight/detection_records.hpp"
 #include "host/flight/fault_records.hpp"
 #include "host/flight/flight_pads.hpp"
 #include "host/flight/flight_world.hpp"
@@ -15,6 +16,7 @@
 #include "host/map/map_warnings.hpp"
 #include "host/number.hpp"
 #include "host/text_records.hpp"
+#include "host/things/thing_record.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "host/via_record.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -93,6 +95,7 @@ Setters all_setters() {
   add_air_setters(all);
   add_sensor_setters(all);
   add_fault_setters(all);
+  add_detection_setters(all);
   return all;
 }
 
@@ -135,7 +138,7 @@ void refuse_window(const Words& words, const Place& place) {
 std::string hint_for(const std::string& key) {
   if (key == "radius") return ": body_radius is the vehicle's, and the margins come on top";
   if (key != "track" && key != "track_piece") return "";
-  return ": they plan around what their map shows. Leave it out, or let 'tern plan' plan among things that move";
+  return ": what moves in a flight's world is a 'thing', which says how it moves. 'tern plan' plans among tracks";
 }
 
 void add_record(const Words& words, const Place& place, FlightWorld& world) {
@@ -150,6 +153,8 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
     world.cylinders.push_back(read_cylinder(words, place));
   } else if (key == "appear") {
     world.appearing.push_back(read_appearance(words, place));
+  } else if (key == "thing") {
+    world.things.push_back(read_thing(words, place));
   } else if (is_fence(key)) {
     refuse_window(words, place);
     add_fence(words, place, world.fences);
@@ -258,6 +263,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   }
   refuse_empty_fences(world.fences, b, world.settings.body_radius + world.settings.tracking_margin);
   check_fov(world.settings, {path, 0});
+  if (world.settings.things == 0) world.things.clear();
   choose_voxels(world);
   choose_evidence(world.settings);
   choose_monitor(world.settings);

@@ -21,6 +21,16 @@ void FlightTape::note_position(tern::Flight& flight, const tern::Vec3& position,
   recorder_.note_position(position, t, flight.note_position(position, t));
 }
 
+tern::Status FlightTape::update_track(tern::Flight& flight, const tern::Track& track) {
+  const tern::Status answer = flight.update_track(track);
+  recorder_.update_track(track, answer);
+  return answer;
+}
+
+void FlightTape::forget_track(tern::Flight& flight, std::uint32_t id) {
+  recorder_.forget_track(id, flight.forget_track(id));
+}
+
 void FlightTape::tick(const tern::Flight& flight, std::int64_t t, const tern::FlightReport& report,
                       tern::Status answer) {
   recorder_.tick(flight, t, report, answer);

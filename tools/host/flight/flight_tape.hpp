@@ -22,6 +22,9 @@ class FlightTape {
   tern::FlightRecorder& recorder() { return recorder_; }
   /// Tells the flight where the vehicle is, and records that.
   void note_position(tern::Flight& flight, const tern::Vec3& position, std::int64_t t);
+  /// Tells the flight of a thing that moves, or that it is gone, and records that.
+  tern::Status update_track(tern::Flight& flight, const tern::Track& track);
+  void forget_track(tern::Flight& flight, std::uint32_t id);
   /// Records a tick, and saves: between two frames at most, because the buffer has room for one.
   void tick(const tern::Flight& flight, std::int64_t t, const tern::FlightReport& report, tern::Status answer);
   void finish();

@@ -11,6 +11,7 @@
 
 #include "host/fence_record.hpp"
 #include "host/flight/sensor_mount.hpp"
+#include "host/things/thing.hpp"
 #include "host/vehicle/air.hpp"
 #include "host/vehicle/pose_error.hpp"
 #include "tern/flight.hpp"
@@ -114,6 +115,18 @@ struct FlightSettings {
   double stack_speed = 12.0;         ///< MPC_XY_VEL_MAX of "px4", WPNAV_SPEED of "ardupilot", m/s
   std::uint64_t seed = 1;
 
+  // What the flight is told of things that move.
+  int things = 1;  ///< 0: there are none, as if the world's file had no such records
+  double detection_hz = 10.0;
+  double detection_latency = 0.05;     ///< s
+  double detection_error = 0.03;       ///< largest error of a place, m
+  double detection_speed_error = 0.1;  ///< and of a velocity, m/s
+  double detection_range = 22.0;       ///< of a thing's centre, m
+  double detection_misses = 0.0;       ///< part of the measurements that are lost
+  double detection_swaps = 0.0;        ///< part of the measurements in which two things change names
+  int detection_occlusion = 0;         ///< 1: what is behind an obstacle is not seen
+  double thing_bounds = 1.0;           ///< what the flight is told of a thing's bounds, as a part of what is true
+
   // Faults.
   double frames_until = kLongestFlight;  ///< seconds; no frame is taken later
   PoseJumps pose_jump;                   ///< of the estimated position
@@ -152,7 +165,8 @@ struct FlightWorld {
   std::vector<tern::Box> blocks;
   std::vector<Cylinder> cylinders;
   std::vector<Appearance> appearing;
-  tern::Box boundary{};  ///< its faces are walls
+  std::vector<Thing> things;  ///< that move
+  tern::Box boundary{};       ///< its faces are walls
   tern::Vec3 start{};
   tern::Vec3 goal{};
   tern::Cylinder column{};  ///< as for RollingMap::assume_column(), for a start on the ground; a radius of 0: none

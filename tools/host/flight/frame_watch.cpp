@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include "host/number.hpp"
 
@@ -16,9 +17,10 @@ using tern::Voxel;
 
 constexpr int kVoxels = 48;  // a frame
 constexpr int kHits = 32;
-constexpr double kNearest = 0.3;         // metres from a lidar
-constexpr double kFrameRounding = 1e-6;  // metres
-constexpr double kFaceRoom = 2e-3;       // metres from a voxel's faces within which a hit may be either side's
+constexpr double kNearest = 0.3;                      // metres from a lidar
+constexpr double kFrameRounding = 1e-6;               // metres
+constexpr double kHalfDiagonal = 0.8660254037844387;  // of a cube
+constexpr double kFaceRoom = 2e-3;  // metres from a voxel's faces within which a hit may be either side's
 
 /// The camera's axes in the world, from its quaternion.
 struct CameraAxes {
@@ -54,8 +56,9 @@ std::string place(const Vec3& p) {
 
 }  // namespace
 
-FrameWatch::FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map)
-    : world_(world), spec_(spec), map_(map), noise_(world.settings.seed) {}
+FrameWatch::FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map,
+                       Explains explains)
+    : world_(world), spec_(spec), map_(map), explains_(std::move(explains)), noise_(world.settings.seed) {}
 
 bool FrameWatch::voxel_at(const Vec3& point, Voxel& voxel) const {
   const tern::GridSpec& grid = map_.safe().spec();
@@ -116,7 +119,7 @@ void FrameWatch::before(const DepthFrame& frame) {
 void FrameWatch::after(const DepthFrame& frame) {
   if (!end()) return;
   check_seen([&](const Vec3& center) { return wholly_in_front(frame, center); });
-  check_hits(hits_of(frame));
+  check_hits(hits_of(frame), frame.taken);
 }
 
 void FrameWatch::before(const LidarScan& scan) {
@@ -134,7 +137,7 @@ void FrameWatch::after(const LidarScan& scan) {
   if (!end()) return;
   const double inside = 0.5 * spec_.cell - spec_.pose_margin - kFrameRounding;
   check_seen([&](const Vec3& center) { return !knows_world_ || clearance(world_, center) >= inside; });
-  check_hits(hits_of(scan));
+  check_hits(hits_of(scan), scan.taken);
 }
 
 bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) const {
@@ -225,7 +228,7 @@ std::vector<Vec3> FrameWatch::hits_of(const LidarScan& scan) const {
 
 /// Of the voxels that are remembered, those that these points hit once more must be solid if that makes enough; the
 /// others begin anew. Some of those that are hit now are remembered.
-void FrameWatch::check_hits(const std::vector<Vec3>& points) {
+void FrameWatch::check_hits(const std::vector<Vec3>& points, std::int64_t taken) {
   const tern::GridSpec& grid = map_.safe().spec();
   const auto key = [&grid](const Voxel& v) { return (std::int64_t{v.z} * grid.dims.y + v.y) * grid.dims.x + v.x; };
   Voxel voxel;
@@ -242,10 +245,13 @@ void FrameWatch::check_hits(const std::vector<Vec3>& points) {
   hit_.erase(std::remove_if(hit_.begin(), hit_.end(), is_over), hit_.end());
   for (int k = 0; k < kHits && !points.empty(); ++k) {
     const Vec3& point = points[static_cast<std::size_t>(noise_.below(static_cast<int>(points.size())))];
-    if (is_hit(point, voxel)) hit_.push_back({center_of(voxel), 1});
+    if (is_hit(point, voxel)) hit_.push_back({center_of(voxel), 1, false});
   }
-  for (const HitVoxel& h : hit_) {
-    if (h.frames < spec_.hits || !voxel_at(h.center, voxel)) continue;
+  const double room = spec_.pose_margin + spec_.depth_margin + spec_.depth_margin_square * spec_.range * spec_.range +
+                      kHalfDiagonal * spec_.cell + kFrameRounding;
+  for (HitVoxel& h : hit_) {
+    h.may_move = h.may_move || (explains_ && explains_(h.center, taken, room));
+    if (h.may_move || h.frames < spec_.hits || !voxel_at(h.center, voxel)) continue;
     ++hits_;
     if (!map_.safe().obstacle(voxel) && broken_.empty()) {
       broken_ = "invariant 6: the voxel at " + place(h.center) + " was hit and is free";

@@ -3,6 +3,8 @@
 #ifndef TERN_HOST_FLIGHT_FRAME_WATCH_HPP
 #define TERN_HOST_FLIGHT_FRAME_WATCH_HPP
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,14 +14,17 @@
 
 namespace tern_host {
 
+/// True if what a frame of time t, ns, hits within `room` m of `point` may be a thing that moves, which marks no voxel.
+using Explains = std::function<bool(const tern::Vec3& point, std::int64_t t, double room)>;
+
 /// Holds a map to the sixth invariant, with code of its own and at random voxels of every frame: a voxel becomes free
 /// only where its whole cube is in front of every pixel that covers it, and is not free once it was hit in as many
-/// frames, one after the other, as MapSpec::hits says. After a scan, a voxel becomes free only where its whole cube is
-/// free in the true world.
+/// frames, one after the other, as MapSpec::hits says, by what does not move. After a scan, a voxel becomes free only
+/// where its whole cube is free in the true world.
 class FrameWatch {
  public:
-  /// World and map must outlive the watch.
-  FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map);
+  /// World and map must outlive the watch. `explains` may be empty: nothing moves.
+  FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map, Explains explains = {});
 
   /// Before a frame or a scan is entered, and after that, but before the next one, with the same one.
   void before(const DepthFrame& frame);
@@ -46,18 +51,20 @@ class FrameWatch {
   bool is_supported(const DepthFrame& frame, int u, int v) const;
   std::vector<tern::Vec3> hits_of(const DepthFrame& frame);
   std::vector<tern::Vec3> hits_of(const LidarScan& scan) const;
-  void check_hits(const std::vector<tern::Vec3>& points);
+  void check_hits(const std::vector<tern::Vec3>& points, std::int64_t taken);
 
   const FlightWorld& world_;
   bool knows_world_ = true;
   tern::MapSpec spec_;
   const tern::RollingMap& map_;
+  Explains explains_;
   Noise noise_;
   bool watches_ = false;
   /// A voxel that was hit in all of the last frames.
   struct HitVoxel {
     tern::Vec3 center;
     int frames;
+    bool may_move;  ///< a thing that moves may explain what was hit
   };
   std::vector<tern::Vec3> unseen_;  ///< centres of voxels
   std::vector<HitVoxel> hit_;

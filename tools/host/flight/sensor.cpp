@@ -19,12 +19,12 @@ std::size_t frame_bytes(const FlightSettings& settings) {
 }
 
 Sensor::Sensor(const FlightWorld& world, const FlightWorld& still_world, const tern::MapSpec& spec,
-               tern::RollingMap& map, Noise& noise, FlightTape& tape)
+               tern::RollingMap& map, Noise& noise, FlightTape& tape, Explains explains)
     : world_(world),
       map_(map),
       noise_(noise),
       tape_(tape),
-      watch_(still_world, spec, map),
+      watch_(still_world, spec, map, std::move(explains)),
       waiting_(1 + world.settings.cameras.size()) {}
 
 void Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {

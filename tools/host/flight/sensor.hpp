@@ -26,7 +26,7 @@ class Sensor {
  public:
   /// All must outlive the sensor. It sees `world`, of which `still_world` was there from the beginning.
   Sensor(const FlightWorld& world, const FlightWorld& still_world, const tern::MapSpec& spec, tern::RollingMap& map,
-         Noise& noise, FlightTape& tape);
+         Noise& noise, FlightTape& tape, Explains explains);
 
   /// To be called at every tick. `yaw`: where the camera looks, and `pitch`: how far a gimbal pitches it up, rad.
   void take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);

@@ -48,7 +48,9 @@ class Simulation {
                   [this] { return flight_.rest_position(); }},
         recorder_(truth_),
         tape_(record, frame_bytes(world.settings)),
-        sensor_(truth_, world_, map_spec_, map_, noise_, tape_) {
+        things_(world_),
+        sensor_(truth_, world_, map_spec_, map_, noise_, tape_,
+                [this](const auto& point, auto t, double room) { return things_.explains(point, t, room); }) {
     start();
   }
 
@@ -76,6 +78,7 @@ class Simulation {
     result.commits = commits_.take();
     result.appeared = faults_.appeared();
     result.contact = contact_;
+    result.things = things_.totals();
     const FrameWatch& frames = sensor_.watch();
     result.watched = {counts.ticks,  counts.commits, counts.points, frames.seen(),
                       frames.hits(), counts.slivers, counts.snap};
@@ -175,21 +178,26 @@ class Simulation {
   FlightEnding tick() {
     faults_.appear(time_, commands_.at);
     sensor_.take(time_, *vehicle_, yaw(), gimbal_.pitch());
+    things_.sense(time_, *vehicle_);
     const bool skipped = faults_.skips_tick();
     if (!skipped) do_tick();
     const tern::Command command = flight_.command(time_);
+    look_at_things(time_);
     recorder_.note(time_, command, *vehicle_, yaw(), report_, skipped);
     if (onlooker_) tell(command);
     gimbal_.turn_to(command);
     if (report_.waits_for_nose) ++view_waits_;
     if (errors().pose_exceeded()) forget_world();
     if (touches()) return contact();
+    if (things_.collides(contact_))
+      return {"collision", "the body touched a thing that had left its tube, or had none"};
     return skipped ? FlightEnding{} : judge();
   }
 
   /// What the flight's computer does.
   void do_tick() {
     sensor_.deliver(time_);
+    things_.tell(time_, flight_, tape_);
     move_goal();
     if (world_.settings.monitor > 0) tape_.note_position(flight_, vehicle_->estimate(), time_);
     watch_->before(time_);
@@ -201,6 +209,11 @@ class Simulation {
     mission_->look(time_, report_);
     if (plans_yaw_) yaw_watch_->look(time_);
     commits_.look(time_, report_, state());
+    things_.note_tick(report_, state().facts.plans.latest().evades);
+  }
+
+  void look_at_things(std::int64_t t) {
+    if (things_.look(t, *vehicle_, commands_.at(t))) recorder_.note_touch();
   }
 
   void move_goal() {
@@ -223,8 +236,8 @@ class Simulation {
   }
 
   FlightEnding judge() const {
-    const std::string broken =
-        watch_->broken() + sensor_.watch().broken() + threats_->broken() + mission_->broken() + yaw_watch_->broken();
+    const std::string broken = watch_->broken() + sensor_.watch().broken() + threats_->broken() + mission_->broken() +
+                               yaw_watch_->broken() + things_.broken();
     if (!broken.empty()) return {"invariant", broken};
     if (report_.mode != tern::FlightMode::kRest || report_.reason == tern::FlightReason::kNone) return {};
     const std::string reason = tern::flight_reason_text(report_.reason);
@@ -258,18 +271,21 @@ class Simulation {
   const tern::FlightState& state() const { return *reinterpret_cast<const tern::FlightState*>(words_.data()); }
 
   void tell(const tern::Command& command) {
-    onlooker_({time_, report_, command, *vehicle_, yaw(), recorder_.clearance_now(), map_, flight_, planner_, state()});
+    onlooker_({time_, report_, command, *vehicle_, yaw(), recorder_.clearance_now(), map_, flight_, planner_, state(),
+               &things_});
   }
 
   /// To the next tick, or until the body touches something.
   FlightEnding move_on() {
     const std::int64_t next = time_ + spec_.tick;
     ContactSearch search(world_.settings, *vehicle_, recorder_.clearance_now());
+    things_.hunt(time_, spec_.tick, *vehicle_);
     for (std::int64_t t = time_; t < next;) {
-      t = search.next(t, next);
+      t = things_.next(t, search.next(t, next));
       vehicle_->fly_to(1e-9 * static_cast<double>(t), [this](double at) { return setpoint(at); });
       if (t == next) break;
       recorder_.note_clearance(*vehicle_);
+      look_at_things(t);
       if (touches()) {
         time_ = t;
         return contact();
@@ -306,6 +322,7 @@ class Simulation {
   std::unique_ptr<ThreatWatch> threats_;
   std::unique_ptr<MissionWatch> mission_;
   std::unique_ptr<YawWatch> yaw_watch_;
+  ThingsInFlight things_;
   Sensor sensor_;
   std::int64_t time_ = 0;
   bool plans_yaw_ = false;

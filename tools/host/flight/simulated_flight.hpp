@@ -14,6 +14,7 @@
 #include "host/flight/flight_contact.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/narrow_place.hpp"
+#include "host/things/things_in_flight.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 
@@ -89,6 +90,7 @@ struct FlightResult {
   std::vector<FlightCommit> commits;
   std::vector<Appearance> appeared;  ///< with the time when each did
   FlightContact contact;
+  ThingTotals things;
   std::vector<TrackPoint> track;  ///< one a tick
   std::string samples;            ///< CSV, one row a tick
 
@@ -110,7 +112,8 @@ struct FlightMoment {
   const tern::RollingMap& map;
   const tern::Flight& flight;
   const tern::Planner& planner;
-  const tern::FlightState& state;  ///< the flight's own, for displays
+  const tern::FlightState& state;          ///< the flight's own, for displays
+  const ThingsInFlight* things = nullptr;  ///< null where nobody knows where things are
 };
 using FlightOnlooker = std::function<void(const FlightMoment&)>;
 

@@ -1,0 +1,195 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a flight is told of things: errors and delays within what its tracks say, and what is left out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "host/flight/vectors.hpp"
+#include "host/things/detector.hpp"
+#include "host/things/thing_record.hpp"
+#include "host/things/thing_watch.hpp"
+#include "support/flight_room.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using tern_host::Detector;
+using tern_host::FlightWorld;
+using tern_host::Thing;
+using tern_host::ThingMotion;
+
+/// It stays where it is.
+struct Onlooker : tern_host::Vehicle {
+  void fly_to(double, const tern_host::Setpoints&) override {}
+  tern::Vec3 position() const override { return place; }
+  tern::Vec3 velocity() const override { return {0.0, 0.0, 0.0}; }
+  std::array<double, 4> attitude() const override { return {1.0, 0.0, 0.0, 0.0}; }
+  tern::Vec3 estimate() const override { return tern_host::along(place, 1.0, pose_error); }
+  tern::Vec3 place{0.125, 0.125, 1.125};
+  tern::Vec3 pose_error{0.0, 0.0, 0.0};
+};
+
+/// A flight at rest in a room that is told of things.
+struct ToldFlight {
+  explicit ToldFlight(const std::vector<std::string>& lines, const std::vector<std::string>& settings = {}) {
+    world.settings = tern_host::flight_settings(settings);
+    for (const std::string& line : lines) {
+      world.things.push_back(tern_host::read_thing(tern_host::split_words("thing " + line, false), {"world.txt", 1}));
+    }
+    for (const Thing& thing : world.things) motions.emplace_back(thing);
+    detector = std::make_unique<Detector>(world, motions);
+  }
+  void tick() {
+    detector->take(room.time, vehicle);
+    detector->deliver(room.time, room.flight, tape);
+    room.tick();
+  }
+  void ticks(int count) {
+    for (int k = 0; k < count; ++k) tick();
+  }
+
+  FlightWorld world;
+  std::vector<ThingMotion> motions;
+  std::unique_ptr<Detector> detector;
+  Onlooker vehicle;
+  tern_test::FlightRoom room;
+  tern_host::FlightTape tape{nullptr, 0};
+};
+
+const std::string kKnot = "knot box 0.4 0.4 0.4 trefoil 6 0 1 0.5 0.5 0.2 2 0.3 0";
+
+TEST(ThingDetector, MeasuresAtItsRateAndLate) {
+  ToldFlight told({kKnot}, {"detection_hz=10", "detection_latency=0.05"});
+  told.ticks(5);
+  EXPECT_EQ(told.detector->known(0), nullptr);
+  told.tick();  // at 0.05 s
+  ASSERT_NE(told.detector->known(0), nullptr);
+  EXPECT_EQ(told.detector->known(0)->measured, 0);
+  told.ticks(100);
+  EXPECT_EQ(told.detector->counts().measured, 11u);
+  EXPECT_EQ(told.detector->known(0)->measured, 1000000000);
+}
+
+// The thing is in the tube of each measurement, of which the error of the vehicle's own place is a part, for as long as
+// one likes; and not in one that claims less.
+TEST(ThingDetector, TubesHoldTheTruth) {
+  ToldFlight told(
+      {kKnot, "walker ball 0.3 walk 1.3 3 0 loop 3 3 1 0 8 3 1 2 8 -3 1 0", "hunter ball 0.3 hunt 5 5 1 2 4 20"},
+      {"detection_error=0.05,0.2", "detection_latency=0.12", "pose_margin=0.1"});
+  told.vehicle.pose_error = {0.06, -0.08, 0.0};
+  tern_test::Random random(5);
+  double farthest = 0.0;
+  for (int k = 0; k < tern_test::scaled(2000); ++k) {
+    for (ThingMotion& motion : told.motions)
+      motion.hunt(1e-9 * static_cast<double>(told.room.time), 0.01, {0.0, 0.0, 1.0});
+    told.tick();
+    const double now = 1e-9 * static_cast<double>(told.room.time);
+    for (std::size_t i = 0; i < told.motions.size(); ++i) {
+      const tern::Track* const track = told.detector->known(i);
+      if (track == nullptr) continue;
+      const tern::Vec3 place = told.motions[i].at(now).position;
+      EXPECT_TRUE(tern_host::is_in_tube(*track, place, told.room.time)) << told.world.things[i].name << " at " << now;
+      const double s = now - 1e-9 * static_cast<double>(track->measured);
+      const tern::Vec3 expected = tern_host::along(track->position, s, track->velocity);
+      farthest = std::fmax(farthest, tern_host::length(tern_host::along(expected, -1.0, place)));
+    }
+  }
+  EXPECT_GT(farthest, 0.1);
+}
+
+TEST(ThingDetector, TubesAreComputedByHand) {
+  tern::Track track;
+  track.measured = 1000000000;
+  track.position = {1.0, 0.0, 0.0};
+  track.velocity = {2.0, 0.0, 0.0};
+  track.error = 0.1;
+  track.error_speed = 0.2;
+  track.error_growth = 1.0;
+  // A second later: 0.1 + 0.2 + 0.5 about (3, 0, 0).
+  EXPECT_TRUE(tern_host::is_in_tube(track, {3.0, 0.79, 0.0}, 2000000000));
+  EXPECT_FALSE(tern_host::is_in_tube(track, {3.0, 0.81, 0.0}, 2000000000));
+  EXPECT_FALSE(tern_host::is_in_tube(track, {1.0, 0.0, 0.0}, 999999999));
+  track.reach = 2.0;  // and within 2.1 of (1, 0, 0)
+  EXPECT_TRUE(tern_host::is_in_tube(track, {3.05, 0.0, 0.0}, 2000000000));
+  EXPECT_FALSE(tern_host::is_in_tube(track, {3.15, 0.0, 0.0}, 2000000000));
+}
+
+TEST(ThingDetector, SeesNeitherTooFarNorThroughWalls) {
+  const std::string near = "near ball 0.3 hunt 5 0 1 1 1 0";
+  const std::string far = "far ball 0.3 hunt 9 0 1 1 1 0";
+  ToldFlight ranged({near, far}, {"detection_range=7", "detection_latency=0"});
+  ranged.tick();
+  EXPECT_NE(ranged.detector->known(0), nullptr);
+  EXPECT_EQ(ranged.detector->known(1), nullptr);
+  ToldFlight walled({near, far}, {"detection_occlusion=1", "detection_latency=0"});
+  walled.world.blocks.push_back({{7.0, -1.0, 0.0}, {7.5, 1.0, 3.0}});
+  walled.tick();
+  EXPECT_NE(walled.detector->known(0), nullptr);
+  EXPECT_EQ(walled.detector->known(1), nullptr);
+  ToldFlight missing({near}, {"detection_misses=1", "detection_latency=0"});
+  missing.ticks(50);
+  EXPECT_EQ(missing.detector->known(0), nullptr);
+}
+
+// A ball that leaves the range of 7 m at 2 m/s is forgotten once it is expected to be outside.
+TEST(ThingDetector, ForgetsWhatHasLeft) {
+  ToldFlight told({"leaver ball 0.3 walk 2 100 0 5.125 0.125 1.125 0 50 0.125 1.125 0"},
+                  {"detection_range=7", "detection_latency=0", "detection_error=0,0"});
+  told.ticks(91);
+  EXPECT_NE(told.detector->known(0), nullptr);
+  told.ticks(20);
+  EXPECT_EQ(told.detector->known(0), nullptr);
+  EXPECT_EQ(told.room.flight.forget_track(0), tern::Status::kInvalidArgument);
+}
+
+TEST(ThingDetector, KeepsTheNearestOnes) {
+  std::vector<std::string> lines;
+  for (int k = 0; k < tern::kMaxFlightTracks + 10; ++k) {
+    lines.push_back("t" + std::to_string(k) + " ball 0.1 hunt " + std::to_string(12.0 - 0.1 * k) + " 0 1 1 1 0");
+  }
+  ToldFlight told(lines, {"detection_latency=0"});
+  told.tick();
+  EXPECT_EQ(told.detector->counts().most_known, std::size_t{tern::kMaxFlightTracks});
+  EXPECT_EQ(told.detector->counts().left_out, 10u);
+  EXPECT_EQ(told.detector->known(9), nullptr);
+  EXPECT_NE(told.detector->known(10), nullptr);
+  told.vehicle.place = {13.0, 0.0, 1.0};  // now the others are the near ones
+  told.ticks(11);
+  EXPECT_NE(told.detector->known(0), nullptr);
+  EXPECT_EQ(told.detector->known(lines.size() - 1), nullptr);
+}
+
+// Names change, what is measured does not.
+TEST(ThingDetector, SwapsNamesAlone) {
+  ToldFlight told({"a ball 0.3 hunt 5 1 1 1 1 0", "b ball 0.4 hunt 5 -1 1 1 1 0"},
+                  {"detection_swaps=0.5", "detection_latency=0", "detection_error=0,0"});
+  int swapped = 0;
+  const int scans = tern_test::scaled(100);
+  for (int k = 0; k < scans; ++k) {
+    told.ticks(10);
+    ASSERT_NE(told.detector->known(0), nullptr);
+    ASSERT_NE(told.detector->known(1), nullptr);
+    EXPECT_EQ(told.detector->known(0)->radius, 0.3);
+    EXPECT_EQ(told.detector->known(0)->position.y, 1.0);
+    EXPECT_EQ(told.detector->known(0)->id + told.detector->known(1)->id, 1u);
+    swapped += told.detector->known(0)->id == 1 ? 1 : 0;
+  }
+  EXPECT_GT(swapped, 0);
+  EXPECT_LT(swapped, scans);
+}
+
+TEST(ThingDetector, TellsWhatIsClaimed) {
+  ToldFlight told({"a ball 0.3 hunt 5 1 1 2 4 0 claims 1 3", "b ball 0.3 hunt 5 -1 1 2 4 0"},
+                  {"thing_bounds=0.5", "detection_latency=0"});
+  told.tick();
+  EXPECT_EQ(told.detector->known(0)->reach, 0.5);
+  EXPECT_EQ(told.detector->known(0)->error_growth, 1.5);
+  EXPECT_EQ(told.detector->known(1)->reach, 1.0);
+  EXPECT_EQ(told.detector->known(1)->error_growth, 2.0);
+}
+
+}  // namespace

@@ -1,0 +1,29 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/detection_records.hpp"
+
+namespace tern_host {
+namespace {
+
+void set_detection_error(FlightSettings& s, const Words& words, const Place& place) {
+  const std::vector<double> values = two_numbers(words, place);
+  s.detection_error = within(words[0], values[0], {0.0, 10.0}, place);
+  s.detection_speed_error = within(words[0], values[1], {0.0, 10.0}, place);
+}
+
+}  // namespace
+
+void add_detection_setters(Setters& setters) {
+  using S = FlightSettings;
+  setters["things"] = whole(&S::things, 0.0, 1.0);
+  setters["detection_hz"] = real(&S::detection_hz, 0.1, 1000.0);
+  setters["detection_latency"] = real(&S::detection_latency, 0.0, 10.0);
+  setters["detection_error"] = set_detection_error;
+  setters["detection_range"] = real(&S::detection_range, 0.0, 1e6);
+  setters["detection_misses"] = real(&S::detection_misses, 0.0, 1.0);
+  setters["detection_swaps"] = real(&S::detection_swaps, 0.0, 1.0);
+  setters["detection_occlusion"] = whole(&S::detection_occlusion, 0.0, 1.0);
+  setters["thing_bounds"] = real(&S::thing_bounds, 0.0, 100.0);
+}
+
+}  // namespace tern_host

@@ -1,0 +1,178 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/things/detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "host/flight/ray_length.hpp"
+#include "host/flight/vectors.hpp"
+#include "host/things/surface_distance.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Vec3;
+
+constexpr std::int64_t kTellsOfHitsFor = 2000000000;    // ns: longer than a frame waits
+constexpr std::uint64_t kDetectorStream = 0x7D1E5EEDu;  // apart from the other random numbers of a flight
+
+/// Uniform in a ball.
+Vec3 error_within(double radius, Noise& noise) {
+  for (;;) {
+    const Vec3 unit{noise.within(-1.0, 1.0), noise.within(-1.0, 1.0), noise.within(-1.0, 1.0)};
+    if (length(unit) <= 1.0) return along({0.0, 0.0, 0.0}, radius, unit);
+  }
+}
+
+double distance_between(const Vec3& a, const Vec3& b) {
+  return length(along(a, -1.0, b));
+}
+
+Vec3 expected_place(const tern::Track& track, std::int64_t t) {
+  return along(track.position, 1e-9 * static_cast<double>(t - track.measured), track.velocity);
+}
+
+}  // namespace
+
+Detector::Detector(const FlightWorld& world, const std::vector<ThingMotion>& things)
+    : world_(world), things_(things), noise_(world.settings.seed ^ kDetectorStream), ids_(things.size()) {
+  std::iota(ids_.begin(), ids_.end(), 0u);
+}
+
+bool Detector::sees(const Vec3& eye, const Vec3& place) const {
+  const double far = distance_between(eye, place);
+  if (far > world_.settings.detection_range) return false;
+  if (world_.settings.detection_occlusion == 0 || !(far > 0.0)) return true;
+  const Vec3 ray = along({0.0, 0.0, 0.0}, 1.0 / far, along(place, -1.0, eye));
+  FlightWorld open = {};
+  open.blocks = world_.blocks;
+  open.cylinders = world_.cylinders;
+  constexpr double kEverywhere = 1e6;
+  open.boundary = {{-kEverywhere, -kEverywhere, -kEverywhere}, {kEverywhere, kEverywhere, kEverywhere}};
+  return ray_length(open, eye, ray) >= far;
+}
+
+Detector::Measurement Detector::measure(std::size_t thing, std::int64_t t, const Vec3& pose_error) {
+  const FlightSettings& s = world_.settings;
+  const Thing& what = world_.things[thing];
+  const ThingState state = things_[thing].at(1e-9 * static_cast<double>(t));
+  const ThingBounds& bounds = what.claimed.speed > 0.0 ? what.claimed : things_[thing].bounds();
+  tern::Track track;
+  track.id = ids_[thing];
+  track.measured = t;
+  track.position = along(along(state.position, 1.0, pose_error), 1.0, error_within(s.detection_error, noise_));
+  track.velocity = along(state.velocity, 1.0, error_within(s.detection_speed_error, noise_));
+  track.shape = what.shape;
+  track.radius = what.radius;
+  track.half = what.half;
+  track.error = s.detection_error + s.pose_margin;
+  track.error_speed = s.detection_speed_error;
+  track.error_growth = s.thing_bounds * bounds.acceleration;
+  track.reach = s.thing_bounds * bounds.speed;
+  return {thing, track};
+}
+
+void Detector::swap_identities(std::vector<Measurement>& seen) {
+  for (Measurement& one : seen) {
+    if (!noise_.chance(world_.settings.detection_swaps)) continue;
+    Measurement* nearest = nullptr;
+    for (Measurement& other : seen) {
+      if (&other == &one) continue;
+      const double far = distance_between(other.track.position, one.track.position);
+      if (nearest == nullptr || far < distance_between(nearest->track.position, one.track.position)) nearest = &other;
+    }
+    if (nearest == nullptr) return;
+    std::swap(ids_[one.thing], ids_[nearest->thing]);
+    std::swap(one.track.id, nearest->track.id);
+  }
+}
+
+void Detector::take(std::int64_t t, const Vehicle& vehicle) {
+  const FlightSettings& s = world_.settings;
+  const double seconds = 1e-9 * static_cast<double>(t);
+  if (things_.empty() || static_cast<double>(taken_) > seconds * s.detection_hz) return;
+  ++taken_;
+  const Vec3 pose_error = along(vehicle.estimate(), -1.0, vehicle.position());
+  Scan scan{t, vehicle.estimate(), {}};
+  for (std::size_t k = 0; k < things_.size(); ++k) {
+    if (!sees(vehicle.position(), things_[k].at(seconds).position)) continue;
+    const Measurement one = measure(k, t, pose_error);
+    if (!noise_.chance(s.detection_misses)) scan.seen.push_back(one);
+  }
+  if (s.detection_swaps > 0.0) swap_identities(scan.seen);
+  waiting_.push_back(std::move(scan));
+}
+
+void Detector::deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape) {
+  const std::int64_t latency = std::llround(1e9 * world_.settings.detection_latency);
+  for (; !waiting_.empty() && waiting_.front().taken + latency <= t; waiting_.pop_front()) {
+    tell(waiting_.front(), flight, tape);
+  }
+}
+
+void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
+  while (!told_.empty() && told_.front().measured + kTellsOfHitsFor < scan.taken) told_.pop_front();
+  forget_far(scan, flight, tape);
+  std::vector<Measurement> order = scan.seen;
+  std::stable_sort(order.begin(), order.end(), [&scan](const Measurement& a, const Measurement& b) {
+    return distance_between(a.track.position, scan.from) < distance_between(b.track.position, scan.from);
+  });
+  for (const Measurement& one : order) {
+    const bool is_new = known_.count(one.track.id) == 0;
+    if (is_new && !make_room(scan, distance_between(one.track.position, scan.from), flight, tape)) {
+      ++counts_.left_out;
+      continue;
+    }
+    if (tape.update_track(flight, one.track) != tern::Status::kOk) continue;
+    known_[one.track.id] = one;
+    told_.push_back(one.track);
+    ++counts_.measured;
+    counts_.most_known = std::max(counts_.most_known, known_.size());
+  }
+}
+
+void Detector::forget_far(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
+  for (auto it = known_.begin(); it != known_.end();) {
+    const tern::Track& track = it->second.track;
+    const bool is_far =
+        distance_between(expected_place(track, scan.taken), scan.from) > world_.settings.detection_range;
+    if (is_far) tape.forget_track(flight, it->first);
+    it = is_far ? known_.erase(it) : std::next(it);
+  }
+}
+
+bool Detector::make_room(const Scan& scan, double far, tern::Flight& flight, FlightTape& tape) {
+  if (known_.size() < std::size_t{tern::kMaxFlightTracks}) return true;
+  const auto distance_of = [&scan](const auto& entry) {
+    return distance_between(expected_place(entry.second.track, scan.taken), scan.from);
+  };
+  const auto farthest = std::max_element(known_.begin(), known_.end(),
+                                         [&](const auto& a, const auto& b) { return distance_of(a) < distance_of(b); });
+  if (distance_of(*farthest) <= far) return false;
+  tape.forget_track(flight, farthest->first);
+  known_.erase(farthest);
+  return true;
+}
+
+bool Detector::explains(const Vec3& point, std::int64_t t, double room) const {
+  constexpr double kLongest = 0.5;  // s between frame and measurement, and
+  constexpr double kWidest = 1.0;   // m of error, beyond which tracks explain no hits
+  return std::any_of(told_.begin(), told_.end(), [&](const tern::Track& track) {
+    const double s = 1e-9 * static_cast<double>(t - track.measured);
+    if (std::abs(s) > kLongest) return false;
+    const double age = std::abs(s);
+    const double error = track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
+    return surface_distance(track, expected_place(track, t), point) <= std::min(error, kWidest) + room;
+  });
+}
+
+const tern::Track* Detector::known(std::size_t thing) const {
+  for (const auto& [id, measurement] : known_) {
+    if (measurement.thing == thing) return &measurement.track;
+  }
+  return nullptr;
+}
+
+}  // namespace tern_host

@@ -1,0 +1,77 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What tells a flight of the things around it: measurements with errors, late or not at all, as a tracker gives them.
+#ifndef TERN_HOST_THINGS_DETECTOR_HPP
+#define TERN_HOST_THINGS_DETECTOR_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "host/flight/flight_tape.hpp"
+#include "host/flight/flight_world.hpp"
+#include "host/flight/noise.hpp"
+#include "host/things/thing_motion.hpp"
+#include "host/vehicle/vehicle.hpp"
+#include "tern/flight.hpp"
+
+namespace tern_host {
+
+struct DetectorCounts {
+  std::uint64_t measured = 0;  ///< measurements that reached the flight
+  std::uint64_t left_out = 0;  ///< that did not, because the flight knew kMaxFlightTracks nearer things
+  std::size_t most_known = 0;  ///< things at once
+};
+
+class Detector {
+ public:
+  /// Both must outlive the detector. `things` are the motions of `world.things`.
+  Detector(const FlightWorld& world, const std::vector<ThingMotion>& things);
+
+  /// To be called at every tick.
+  void take(std::int64_t t, const Vehicle& vehicle);
+  /// Tells the flight what has arrived: to be called before every tick that is done. It forgets what is expected to be
+  /// out of range. If it knows as many things as it can, the farthest one makes room for a nearer one.
+  void deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape);
+  /// What the flight was told last of a thing that it knows; null if it knows it not.
+  const tern::Track* known(std::size_t thing) const;
+  /// True if what a frame of time t, ns, hits within `room` m of `point` may be a thing of which the flight was told,
+  /// by a measurement from about then.
+  bool explains(const tern::Vec3& point, std::int64_t t, double room) const;
+  const DetectorCounts& counts() const { return counts_; }
+
+ private:
+  struct Measurement {
+    std::size_t thing;
+    tern::Track track;
+  };
+  struct Scan {
+    std::int64_t taken;
+    tern::Vec3 from;  ///< where the vehicle believed to be
+    std::vector<Measurement> seen;
+  };
+
+  bool sees(const tern::Vec3& eye, const tern::Vec3& place) const;
+  Measurement measure(std::size_t thing, std::int64_t t, const tern::Vec3& pose_error);
+  void swap_identities(std::vector<Measurement>& seen);
+  void tell(const Scan& scan, tern::Flight& flight, FlightTape& tape);
+  void forget_far(const Scan& scan, tern::Flight& flight, FlightTape& tape);
+  bool make_room(const Scan& scan, double far, tern::Flight& flight, FlightTape& tape);
+
+  const FlightWorld& world_;
+  const std::vector<ThingMotion>& things_;
+  Noise noise_;
+  std::vector<std::uint32_t> ids_;
+  std::deque<Scan> waiting_;
+  std::map<std::uint32_t, Measurement> known_;  ///< to the flight, by their ids
+  std::deque<tern::Track> told_;                ///< lately
+  std::int64_t taken_ = 0;
+  DetectorCounts counts_;
+};
+
+}  // namespace tern_host
+
+#endif

@@ -1,0 +1,84 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/things/thing_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/flight/vectors.hpp"
+#include "host/things/surface_distance.hpp"
+
+namespace tern_host {
+namespace {
+
+constexpr double kMoving = 1e-3;                   // m/s
+constexpr double kLeastWayToThing = 1e-3;          // m: nearer ones are looked at once a millimetre
+constexpr double kShallow = 1e-6;                  // m: a contact that is less deep is none
+constexpr std::int64_t kLeastTimeToThing = 20000;  // ns: a millimetre at 50 m/s
+
+/// How long body and thing need at least for `way` between them, s.
+double time_to_close(double way, double speed, double acceleration) {
+  return (std::sqrt(speed * speed + 2.0 * acceleration * way) - speed) / acceleration;
+}
+
+}  // namespace
+
+bool is_in_tube(const tern::Track& track, const tern::Vec3& place, std::int64_t t) {
+  const double s = 1e-9 * static_cast<double>(t - track.measured);
+  if (s < 0.0) return false;
+  constexpr double kRounding = 1e-9;
+  const tern::Vec3 off = along(place, -1.0, along(track.position, s, track.velocity));
+  const double error = track.error + track.error_speed * s + 0.5 * track.error_growth * s * s;
+  const double moved = length(along(place, -1.0, track.position));
+  const bool reaches = track.reach == 0.0 || moved <= track.error + track.reach * s + kRounding;
+  return length(off) <= error + kRounding && reaches;
+}
+
+ThingWatch::ThingWatch(const std::vector<Thing>& things, const std::vector<ThingMotion>& motions)
+    : things_(things),
+      motions_(motions),
+      due_(things.size(), 0),
+      touches_(things.size(), false),
+      proven_with_(things.size()) {}
+
+void ThingWatch::note_commit(bool proven, const Detector& detector) {
+  is_proven_ = proven;
+  for (std::size_t k = 0; k < things_.size(); ++k) {
+    const tern::Track* const track = detector.known(k);
+    proven_with_[k] = track == nullptr ? std::nullopt : std::optional<tern::Track>(*track);
+  }
+}
+
+std::int64_t ThingWatch::next(std::int64_t t, std::int64_t end) const {
+  std::int64_t soonest = end;
+  for (const std::int64_t due : due_) soonest = std::min(soonest, due);
+  return std::max(soonest, t);
+}
+
+void ThingWatch::look(std::int64_t t, const MovingBody& body, double command_speed) {
+  for (std::size_t k = 0; k < things_.size(); ++k) {
+    if (due_[k] > t) continue;
+    const tern::Vec3 place = motions_[k].at(1e-9 * static_cast<double>(t)).position;
+    const double gap = surface_distance(things_[k], place, body.position) - body.radius;
+    const bool touches = gap < -kShallow;
+    if (touches && !touches_[k]) begin_contact(k, t, place, command_speed);
+    touches_[k] = touches;
+    const double way = std::max(kLeastWayToThing, std::abs(gap));
+    const double time = time_to_close(way, body.speed + motions_[k].bounds().speed, body.acceleration);
+    due_[k] = t + std::max(kLeastTimeToThing, static_cast<std::int64_t>(1e9 * time));
+  }
+}
+
+void ThingWatch::begin_contact(std::size_t thing, std::int64_t t, const tern::Vec3& place, double command_speed) {
+  const std::optional<tern::Track>& track = proven_with_[thing];
+  const bool in_tube = is_proven_ && track.has_value() && is_in_tube(*track, place, t);
+  contacts_.push_back({thing, 1e-9 * static_cast<double>(t), command_speed, command_speed > kMoving, in_tube});
+}
+
+const ThingContact* ThingWatch::in_motion() const {
+  const auto found =
+      std::find_if(contacts_.begin(), contacts_.end(), [](const ThingContact& contact) { return contact.in_motion; });
+  return found == contacts_.end() ? nullptr : &*found;
+}
+
+}  // namespace tern_host
