@@ -55,7 +55,7 @@ void Things::add(const Sighting& sighting, const tern::Vec3* here, std::int64_t 
   const auto known = known_.find(sighting.name);
   const tern::Vec3 from = here == nullptr ? tern::Vec3{} : minus(sighting.position, *here);
   const double away = here == nullptr ? 0.0 : std::hypot(from.x, from.y) - track.radius - track.error;
-  if (away >= settings_.range) {
+  if (away >= settings_.range || !(settings_.range > 0.0)) {
     if (known != known_.end()) drop(known);
     return;
   }

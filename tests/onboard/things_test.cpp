@@ -85,6 +85,7 @@ TEST(OnboardThings, AreForgottenAfterTheirMemoryAndBeyondTheirRange) {
   none.range = 0.0;
   Book blind(none);
   blind.add(sighting_of("a", 1.0, blind.now));
+  blind.add(sighting_of("b", 0.1, blind.now));  // the vehicle is within it
   EXPECT_EQ(blind.things.count(), 0u);
 }
 
