@@ -115,4 +115,28 @@ TEST_F(FlightFilmTest, WhatIsKnownIsThere) {
   }
 }
 
+/// Things are where they truly are, and the picture has them.
+TEST(FlightFilmAmongThings, ShowsThem) {
+  const tern_host::FlightWorld world = tern_host::read_flight_world("T4:0", {"time_limit=2"});
+  tern_host::FlightFilm film(world);
+  const tern_host::FlightResult result =
+      tern_host::simulate_flight(world, [&film](const tern_host::FlightMoment& m) { film.note(m); });
+  const Json things = Json::parse(film.run(result)).at("things");
+  ASSERT_EQ(things.size(), world.things.size());
+  const Json& first = things[0];
+  EXPECT_EQ(first.at("shape"), "box");
+  EXPECT_EQ(first.at("half"), Json({0.4, 0.4, 0.4}));
+  EXPECT_EQ(first.at("step").get<double>(), 0.1);
+  ASSERT_EQ(first.at("rows").size(), 21u);
+  const tern_host::ThingMotion motion(world.things[0]);
+  for (std::size_t k = 0; k < 21; ++k) {
+    EXPECT_NEAR(first.at("rows")[k][0].get<double>(), motion.at(0.1 * static_cast<double>(k)).position.x, 5.1e-4);
+  }
+  EXPECT_EQ(first.at("rows")[1][3].get<double>(), 0.0);  // not known yet: measurements come 0.15 s late
+  EXPECT_GE(first.at("rows")[20][3].get<double>(), 0.2);
+  const std::string picture = tern_host::flight_svg(world, result);
+  EXPECT_NE(picture.find("class=\"thing\""), std::string::npos);
+  EXPECT_NE(picture.find(">what moves, at the end, and its way<"), std::string::npos);
+}
+
 }  // namespace

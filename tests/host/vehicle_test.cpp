@@ -16,7 +16,7 @@ using tern_host::Setpoint;
 using tern_host::Setpoints;
 using tern_host::VehicleSettings;
 
-double distance(const tern::Vec3& a, const tern::Vec3& b) {
+double apart(const tern::Vec3& a, const tern::Vec3& b) {
   return std::hypot(a.x - b.x, std::hypot(a.y - b.y, a.z - b.z));
 }
 
@@ -55,7 +55,7 @@ double largest_error(const VehicleSettings& settings, const Setpoints& setpoints
   double worst = 0.0;
   for (int k = 1; k <= 1500; ++k) {
     vehicle->fly_to(0.01 * k, setpoints);
-    worst = std::max(worst, distance(vehicle->position(), setpoints(0.01 * k).sample.position));
+    worst = std::max(worst, apart(vehicle->position(), setpoints(0.01 * k).sample.position));
   }
   return worst;
 }
@@ -73,8 +73,8 @@ TEST(Vehicle, RigidBodiesHoverWhereTheyBegan) {
   for (const char* const kind : {"quadrotor", "px4", "ardupilot"}) {
     const auto vehicle = make_vehicle(settings_of(kind), still(0.0));
     vehicle->fly_to(5.0, still);
-    EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 1e-6) << kind;
-    EXPECT_LT(distance(vehicle->velocity(), {}), 1e-6) << kind;
+    EXPECT_LT(apart(vehicle->position(), {1.0, -2.0, 3.0}), 1e-6) << kind;
+    EXPECT_LT(apart(vehicle->velocity(), {}), 1e-6) << kind;
   }
 }
 
@@ -140,9 +140,9 @@ TEST(Vehicle, StacksHoverInASteadyWindBeforeTheyBegin) {
     settings.air.wind = 5.0;
     settings.air.has_gusts = true;
     const auto vehicle = make_vehicle(settings, still(0.0));
-    EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 0.02) << kind;
+    EXPECT_LT(apart(vehicle->position(), {1.0, -2.0, 3.0}), 0.02) << kind;
     vehicle->fly_to(5.0, still);
-    EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 0.02) << kind;
+    EXPECT_LT(apart(vehicle->position(), {1.0, -2.0, 3.0}), 0.02) << kind;
     EXPECT_LT(std::hypot(vehicle->attitude()[1], vehicle->attitude()[2]), 0.05) << kind;
     EXPECT_GT(std::hypot(vehicle->attitude()[1], vehicle->attitude()[2]), 0.02) << kind;
     EXPECT_NEAR(error_on_circle(settings, 2.0), calm, 0.15 * calm) << kind;
@@ -160,16 +160,16 @@ TEST(Vehicle, EstimatesLagAndDriftAsTold) {
   late->fly_to(9.95, setpoints);
   const tern::Vec3 then = late->position();
   late->fly_to(10.0, setpoints);
-  EXPECT_LT(distance(late->estimate(), then), 1e-9);
-  EXPECT_NEAR(distance(late->position(), then), 0.1, 0.01);
+  EXPECT_LT(apart(late->estimate(), then), 1e-9);
+  EXPECT_NEAR(apart(late->position(), then), 0.1, 0.01);
   settings.pose_lag = 0.0;
   settings.pose_drift = 0.05;
   for (const char* const kind : {"perfect", "px4", "ardupilot"}) {
     settings.kind = kind;
     const auto drifting = make_vehicle(settings, setpoints(0.0));
     drifting->fly_to(10.0, setpoints);
-    EXPECT_NEAR(distance(drifting->position(), drifting->estimate()), 0.5, 1e-9) << kind;
-    EXPECT_LT(distance(drifting->estimate(), setpoints(10.0).sample.position), 0.5) << kind;
+    EXPECT_NEAR(apart(drifting->position(), drifting->estimate()), 0.5, 1e-9) << kind;
+    EXPECT_LT(apart(drifting->estimate(), setpoints(10.0).sample.position), 0.5) << kind;
   }
 }
 
@@ -207,7 +207,7 @@ TEST(Vehicle, EstimateIsOffTheTruthByAtMostItsMargin) {
     double worst = 0.0;
     for (int k = 1; k <= 1000; ++k) {
       vehicle->fly_to(0.01 * k, setpoints);
-      worst = std::max(worst, distance(vehicle->position(), vehicle->estimate()));
+      worst = std::max(worst, apart(vehicle->position(), vehicle->estimate()));
     }
     EXPECT_LE(worst, 0.05 + 1e-12) << kind;
     EXPECT_GT(worst, 0.04) << kind;
@@ -225,12 +225,12 @@ TEST(Vehicle, BeginsWhereItBelievesToBeAtTheSetpoint) {
     VehicleSettings settings = settings_of(kind);
     settings.pose_margin = 0.5;
     const auto vehicle = make_vehicle(settings, still(0.0));
-    EXPECT_LT(distance(vehicle->estimate(), {1.0, -2.0, 3.0}), 1e-9) << kind;
-    EXPECT_GT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 0.1) << kind;
+    EXPECT_LT(apart(vehicle->estimate(), {1.0, -2.0, 3.0}), 1e-9) << kind;
+    EXPECT_GT(apart(vehicle->position(), {1.0, -2.0, 3.0}), 0.1) << kind;
     double worst = 0.0;
     for (int k = 1; k <= 10; ++k) {
       vehicle->fly_to(0.01 * k, still);
-      worst = std::max(worst, distance(vehicle->estimate(), {1.0, -2.0, 3.0}));
+      worst = std::max(worst, apart(vehicle->estimate(), {1.0, -2.0, 3.0}));
     }
     EXPECT_LT(worst, 0.02) << kind;
   }
@@ -249,8 +249,8 @@ TEST(Vehicle, EstimatesJumpAsTold) {
     tern::Vec3 before = vehicle->position();
     for (int k = 1; k <= 1000; ++k) {
       vehicle->fly_to(0.01 * k, still);
-      worst = std::max(worst, distance(vehicle->position(), vehicle->estimate()));
-      const double moved = distance(vehicle->position(), before);
+      worst = std::max(worst, apart(vehicle->position(), vehicle->estimate()));
+      const double moved = apart(vehicle->position(), before);
       if (moved < 0.05) {
         EXPECT_LT(moved, 0.01) << margin;
       } else {

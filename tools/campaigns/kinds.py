@@ -80,7 +80,8 @@ class Fly(Kind):
     fields = ["row", "seed", "status", "reason", "time_s", "length_m", "mean_speed", "min_clearance", "tracking_max",
               "full_knowledge_s", "straight_s", "standing_s", "asked", "committed", "dropped", "failed", "work_max",
               "work_total", "threat_s", "watched_points", "watched_voxels", "commands_hash", "broken_assumption",
-              "contact_speed", "commanded_speed", "brake_speed", "seconds"]
+              "contact_speed", "commanded_speed", "brake_speed", "touched_in_motion", "touched_at_rest", "left_out",
+              "seconds"]
 
     def jobs(self, row, first, count):
         return [(row, seed, 1) for seed in range(first, first + count)]
@@ -124,6 +125,8 @@ class Fly(Kind):
                 **log["plans"], "work_max": log["work"]["max"], "work_total": log["work"]["total"],
                 "threat_s": log["states"]["threat"], "watched_points": log["watched"]["points"],
                 "watched_voxels": log["watched"]["voxels"], "commands_hash": log["commands_hash"],
+                **{key: log["things"][key] for key in ("touched_in_motion", "touched_at_rest", "left_out")
+                   if "things" in log},
                 "broken_assumption": contact.get("broken_assumption"), "contact_speed": contact.get("speed"),
                 **({key: contact[key] for key in ("commanded_speed", "brake_speed")} if contact.get("shown") else {})}
 

@@ -16,6 +16,7 @@ void set_detection_error(FlightSettings& s, const Words& words, const Place& pla
 void add_detection_setters(Setters& setters) {
   using S = FlightSettings;
   setters["things"] = whole(&S::things, 0.0, 1.0);
+  setters["things_seen"] = whole(&S::things_seen, 0.0, 1.0);
   setters["detection_hz"] = real(&S::detection_hz, 0.1, 1000.0);
   setters["detection_latency"] = real(&S::detection_latency, 0.0, 10.0);
   setters["detection_error"] = set_detection_error;

@@ -80,6 +80,7 @@ Json settings_json(const FlightSettings& s) {
           {"stack_speed", s.stack_speed},
           {"seed", s.seed},
           {"things", s.things},
+          {"things_seen", s.things_seen},
           {"detection_hz", s.detection_hz},
           {"detection_latency", s.detection_latency},
           {"detection_error", {s.detection_error, s.detection_speed_error}},

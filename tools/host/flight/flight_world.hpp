@@ -116,7 +116,8 @@ struct FlightSettings {
   std::uint64_t seed = 1;
 
   // What the flight is told of things that move.
-  int things = 1;  ///< 0: there are none, as if the world's file had no such records
+  int things = 1;       ///< 0: there are none, as if the world's file had no such records
+  int things_seen = 0;  ///< 1: cameras and lidars see them
   double detection_hz = 10.0;
   double detection_latency = 0.05;     ///< s
   double detection_error = 0.03;       ///< largest error of a place, m

@@ -21,6 +21,7 @@
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/gimbal.hpp"
 #include "host/flight/mission_watch.hpp"
+#include "host/flight/seen_world.hpp"
 #include "host/flight/sensor.hpp"
 #include "host/flight/threat_watch.hpp"
 #include "host/flight/yaw_watch.hpp"
@@ -49,7 +50,8 @@ class Simulation {
         recorder_(truth_),
         tape_(record, frame_bytes(world.settings)),
         things_(world_),
-        sensor_(truth_, world_, map_spec_, map_, noise_, tape_,
+        seen_(truth_, things_),
+        sensor_(seen_.world(), world_, map_spec_, map_, noise_, tape_,
                 [this](const auto& point, auto t, double room) { return things_.explains(point, t, room); }) {
     start();
   }
@@ -177,6 +179,7 @@ class Simulation {
 
   FlightEnding tick() {
     faults_.appear(time_, commands_.at);
+    seen_.move_to(time_);
     sensor_.take(time_, *vehicle_, yaw(), gimbal_.pitch());
     things_.sense(time_, *vehicle_);
     const bool skipped = faults_.skips_tick();
@@ -271,8 +274,7 @@ class Simulation {
   const tern::FlightState& state() const { return *reinterpret_cast<const tern::FlightState*>(words_.data()); }
 
   void tell(const tern::Command& command) {
-    onlooker_({time_, report_, command, *vehicle_, yaw(), recorder_.clearance_now(), map_, flight_, planner_, state(),
-               &things_});
+    onlooker_({time_, report_, command, *vehicle_, yaw(), recorder_.clearance_now(), map_, flight_, planner_, state()});
   }
 
   /// To the next tick, or until the body touches something.
@@ -323,6 +325,7 @@ class Simulation {
   std::unique_ptr<MissionWatch> mission_;
   std::unique_ptr<YawWatch> yaw_watch_;
   ThingsInFlight things_;
+  SeenWorld seen_;
   Sensor sensor_;
   std::int64_t time_ = 0;
   bool plans_yaw_ = false;

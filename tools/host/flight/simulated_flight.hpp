@@ -112,8 +112,7 @@ struct FlightMoment {
   const tern::RollingMap& map;
   const tern::Flight& flight;
   const tern::Planner& planner;
-  const tern::FlightState& state;          ///< the flight's own, for displays
-  const ThingsInFlight* things = nullptr;  ///< null where nobody knows where things are
+  const tern::FlightState& state;  ///< the flight's own, for displays
 };
 using FlightOnlooker = std::function<void(const FlightMoment&)>;
 

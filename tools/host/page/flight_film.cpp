@@ -64,6 +64,24 @@ tern::Box inside_of(const FlightWorld& world) {
   return {{lower.x + skin, lower.y + skin, lower.z + skin}, {upper.x - skin, upper.y - skin, upper.z - skin}};
 }
 
+/// Near the world alone, and with the tube's radius: 0 where the flight knows nothing of a thing.
+RunJson moving_things_json(const FlightWorld& world, const ThingTotals& things) {
+  constexpr double kNear = 10.0;
+  RunJson list = RunJson::array();
+  for (std::size_t k = 0; k < things.places.size(); ++k) {
+    const Thing& thing = world.things[k];
+    RunJson rows = RunJson::array();
+    for (const ThingPlace& at : things.places[k]) {
+      RunJson row = RunJson::array();
+      append_point(row, at.place);
+      row.push_back(rounded(std::max(0.0, at.error), 2));
+      rows.push_back(distance_to(world.boundary, at.place) < kNear ? row : RunJson(nullptr));
+    }
+    list.push_back(thing_json({thing.name, false, thing.shape, thing.radius, thing.half, things.step, rows}));
+  }
+  return list;
+}
+
 }  // namespace
 
 FlightFilm::FlightFilm(const FlightWorld& world)
@@ -128,6 +146,11 @@ RunJson FlightFilm::facts(const FlightResult& result) const {
     add("tracking error",
         fixed(result.tracking_max, 3) + " m at most; margin " + fixed(world_.settings.tracking_margin, 2) + " m");
   }
+  if (!world_.things.empty()) {
+    add("things that move", std::to_string(world_.things.size()) + "; touched " +
+                                std::to_string(result.things.in_motion()) + " in motion, " +
+                                std::to_string(result.things.at_rest()) + " at rest");
+  }
   add("plans", std::to_string(result.asked) + " asked, " + std::to_string(result.committed) + " committed, " +
                    std::to_string(result.dropped) + " dropped, " + std::to_string(result.failed) + " failed");
   add("work",
@@ -161,6 +184,7 @@ std::string FlightFilm::run(const FlightResult& result) const {
       {"start", rounded(world_.start)},
       {"goal", rounded(world_.goal)},
       {"vias", vias_json(world_.vias)},
+      {"things", moving_things_json(world_, result.things)},
       {"blocked", result.is_blocked() ? rounded(result.blocked_at) : nullptr},
       {"limits",
        {{"v", s.v_max}, {"a", s.a_max}, {"j", s.j_max > 0.0 ? RunJson(s.j_max) : nullptr}, {"work", s.work_per_tick}}},

@@ -100,7 +100,6 @@ constexpr double kAlone = 10.0;       ///< seconds that things are shown for wit
 
 /// A shape, and rows of place and error; null while it is not there.
 RunJson things_json(const PlanResult& result) {
-  constexpr const char* kShapes[] = {"ball", "cylinder", "box"};
   const double end = result.ok() ? tern::duration(result.trajectory) : kAlone;
   const double step = std::max(kThingStep, end / kThingRows);
   RunJson list = RunJson::array();
@@ -114,13 +113,9 @@ RunJson things_json(const PlanResult& result) {
       row.push_back(rounded(sample.error));
       rows.push_back(sample.is_there ? row : RunJson(nullptr));
     }
-    list.push_back({{"name", result.scenario.tracks[k].id},
-                    {"fence", result.scenario.tracks[k].is_fence},
-                    {"shape", kShapes[static_cast<int>(tracks[k].shape)]},
-                    {"radius", rounded(tracks[k].radius)},
-                    {"half", rounded(tracks[k].half)},
-                    {"step", step},
-                    {"rows", rows}});
+    const TrackRecord& record = result.scenario.tracks[k];
+    list.push_back(
+        thing_json({record.id, record.is_fence, tracks[k].shape, tracks[k].radius, tracks[k].half, step, rows}));
   }
   return list;
 }

@@ -61,6 +61,17 @@ RunJson vias_json(const std::vector<tern::Via>& list) {
   return vias;
 }
 
+RunJson thing_json(const ShownThing& thing) {
+  constexpr const char* kShapes[] = {"ball", "cylinder", "box"};
+  return {{"name", thing.name},
+          {"fence", thing.is_fence},
+          {"shape", kShapes[static_cast<int>(thing.shape)]},
+          {"radius", rounded(thing.radius)},
+          {"half", rounded(thing.half)},
+          {"step", thing.step},
+          {"rows", thing.rows}};
+}
+
 RunJson corridor_json(const tern::Corridor& corridor, const tern::Vec3& origin) {
   RunJson polyhedra = RunJson::array();
   for (int i = 0; i < corridor.count; ++i) {

@@ -8,12 +8,14 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "host/fence_record.hpp"
 #include "tern/corridor.hpp"
 #include "tern/flatness.hpp"
 #include "tern/halfspace.hpp"
+#include "tern/track.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/via.hpp"
 
@@ -35,6 +37,18 @@ RunJson halfspace_json(const tern::Halfspace& plane, const tern::Vec3& origin);
 RunJson fences_json(const std::vector<FenceRecord>& records);
 /// x, y, z and the tolerance of each.
 RunJson vias_json(const std::vector<tern::Via>& list);
+
+/// A thing that moves: its shape, and `rows` of place and error, `step` seconds apart; null while it is not there.
+struct ShownThing {
+  std::string name;
+  bool is_fence;
+  tern::TrackShape shape;
+  double radius;
+  tern::Vec3 half;
+  double step;
+  RunJson rows;
+};
+RunJson thing_json(const ShownThing& thing);
 
 /// The half-spaces of each polyhedron.
 RunJson corridor_json(const tern::Corridor& corridor, const tern::Vec3& origin);

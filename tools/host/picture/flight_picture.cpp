@@ -25,6 +25,8 @@ constexpr double kFaintMap = 0.35;
 constexpr const char* kCommit = "class=\"waypoint\"";
 constexpr const char* kBlocked = "fill=\"none\" stroke=\"#c22b1a\" stroke-width=\"2.5\"";
 constexpr double kBlockedRadius = 6.0;
+constexpr const char* kThing = "class=\"thing\"";
+constexpr const char* kTouched = "fill=\"none\" stroke=\"#7a1fa2\" stroke-width=\"2.5\"";
 
 std::string block_style(double depth_part) {
   return "class=\"block\" opacity=\"" + fixed(kFaintMap + (kFull - kFaintMap) * std::clamp(depth_part, 0.0, 1.0), 2) +
@@ -101,6 +103,40 @@ const char* axis_name(int axis) {
   return kNames[axis];
 }
 
+/// Where things that move went, where they were at the end, and where the body touched one.
+void draw_moving_things(Canvas& canvas, const Axes& axes, const Projection& view, const FlightWorld& world,
+                        const ThingTotals& things) {
+  for (const std::vector<ThingPlace>& places : things.places) {
+    std::vector<Pixel> way;
+    for (const ThingPlace& at : places) way.push_back(project(axes, view, at.place));
+    if (way.size() > 1) canvas.polyline(way, "class=\"thing-way\"");
+  }
+  for (std::size_t k = 0; k < things.places.size(); ++k) {
+    if (things.places[k].empty()) continue;
+    const Thing& thing = world.things[k];
+    const tern::Vec3 at = things.places[k].back().place;
+    const double radius = thing.radius;
+    const bool is_ball = thing.shape == tern::TrackShape::kBall;
+    const bool is_box = thing.shape == tern::TrackShape::kBox;
+    const tern::Vec3 half = is_box ? thing.half : tern::Vec3{radius, radius, is_ball ? radius : thing.half.z};
+    const tern::Box box{{at.x - half.x, at.y - half.y, at.z - half.z}, {at.x + half.x, at.y + half.y, at.z + half.z}};
+    if (is_ball || (!is_box && view.depth == 2)) {
+      canvas.circle(project(axes, view, at), radius * axes.frame.width / axes.horizontal.extent(), kThing);
+    } else {
+      canvas.rect(rect_of(axes, view, box), kThing);
+    }
+  }
+}
+
+void draw_touches(Canvas& canvas, const Axes& axes, const Projection& view, const FlightWorld& world,
+                  const FlightResult& result) {
+  for (const ThingContact& contact : result.things.contacts) {
+    const auto tick = static_cast<std::size_t>(contact.time * world.settings.tick_hz);
+    if (tick >= result.track.size()) continue;
+    canvas.circle(project(axes, view, result.track[tick].position), kBlockedRadius, kTouched);
+  }
+}
+
 void draw_view(Canvas& canvas, const Axes& axes, const Projection& view, const FlightWorld& world,
                const FlightResult& result, double fastest) {
   canvas.rect(axes.frame, "class=\"paper\"");
@@ -108,10 +144,12 @@ void draw_view(Canvas& canvas, const Axes& axes, const Projection& view, const F
   draw_grid(canvas, axes);
   draw_world(canvas, axes, view, world);
   draw_fences(canvas, axes, view, world.fences, world.boundary);
+  draw_moving_things(canvas, axes, view, world, result.things);
   canvas.end_group();
   draw_frame(canvas, axes, axis_name(view.horizontal), axis_name(view.vertical));
   const std::vector<Pixel> way = draw_way(canvas, axes, view, result, fastest);
   draw_commits(canvas, axes, view, result);
+  draw_touches(canvas, axes, view, world, result);
   if (result.is_blocked()) canvas.circle(project(axes, view, result.blocked_at), kBlockedRadius, kBlocked);
   std::vector<Pixel> vias;
   for (const tern::Via& via : world.vias) vias.push_back(project(axes, view, via.position));
@@ -141,6 +179,8 @@ double draw_head(Canvas& canvas, const FlightWorld& world, const FlightResult& r
                                   speed_entry("way flown, speed from 0 to " + fixed(fastest, 1) + " m/s"),
                                   dot_entry("where a plan was committed", 2.6, kCommit)};
   if (r.is_blocked()) legend.push_back(dot_entry("in the way at the end", kBlockedRadius, kBlocked));
+  if (!world.things.empty()) legend.push_back(area_entry("what moves, at the end, and its way", kThing, 5.0));
+  if (!r.things.contacts.empty()) legend.push_back(dot_entry("where the body touched it", kBlockedRadius, kTouched));
   if (has_fence(world.fences, tern::FenceKind::kKeepOut)) legend.push_back(keepout_entry());
   if (has_fence(world.fences, tern::FenceKind::kKeepIn)) legend.push_back(keepin_entry());
   draw_legend(canvas, legend, {kPageMargin, y}, kContentWidth);

@@ -11,6 +11,9 @@
 namespace tern_host {
 namespace {
 
+constexpr double kStepOfPlaces = 0.1;  // s
+constexpr double kMostPlaces = 1200.0;
+
 std::vector<ThingMotion> motions_of(const std::vector<Thing>& things) {
   std::vector<ThingMotion> motions;
   for (const Thing& thing : things) motions.emplace_back(thing);
@@ -25,7 +28,22 @@ int ThingTotals::in_motion() const {
 }
 
 ThingsInFlight::ThingsInFlight(const FlightWorld& world)
-    : world_(world), motions_(motions_of(world.things)), detector_(world, motions_), watch_(world.things, motions_) {}
+    : world_(world),
+      motions_(motions_of(world.things)),
+      detector_(world, motions_),
+      watch_(world.things, motions_),
+      step_(std::max(kStepOfPlaces, world.settings.time_limit / kMostPlaces)),
+      places_(world.things.size()) {}
+
+void ThingsInFlight::sense(std::int64_t t, const Vehicle& vehicle) {
+  detector_.take(t, vehicle);
+  const double seconds = 1e-9 * static_cast<double>(t);
+  if (places_.empty() || static_cast<double>(places_[0].size()) * step_ > seconds) return;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const tern::Track* const track = detector_.known(k);
+    places_[k].push_back({motions_[k].at(seconds).position, track == nullptr ? -1.0 : tube_radius(*track, t)});
+  }
+}
 
 void ThingsInFlight::note_tick(const tern::FlightReport& report, bool evades) {
   if (report.committed == committed_) return;
@@ -45,10 +63,6 @@ bool ThingsInFlight::look(std::int64_t t, const Vehicle& vehicle, const tern::Sa
   const std::size_t before = watch_.contacts().size();
   watch_.look(t, body, length(command.velocity));
   return watch_.contacts().size() > before;
-}
-
-tern::Vec3 ThingsInFlight::place(std::size_t thing, std::int64_t t) const {
-  return motions_[thing].at(1e-9 * static_cast<double>(t)).position;
 }
 
 std::string ThingsInFlight::broken() const {

@@ -15,10 +15,18 @@
 
 namespace tern_host {
 
+/// Where a thing was, and how wrong the flight's track of it could be, m; negative where it had none.
+struct ThingPlace {
+  tern::Vec3 place;
+  double error;
+};
+
 /// What a flight met among things that move.
 struct ThingTotals {
   DetectorCounts detector;
   std::vector<ThingContact> contacts;
+  double step = 0.0;                            ///< s, from one place to the next
+  std::vector<std::vector<ThingPlace>> places;  ///< of each thing, from time 0 on
 
   int in_motion() const;
   int at_rest() const { return static_cast<int>(contacts.size()) - in_motion(); }
@@ -30,7 +38,7 @@ class ThingsInFlight {
   explicit ThingsInFlight(const FlightWorld& world);
 
   /// At every tick: measures what is due.
-  void sense(std::int64_t t, const Vehicle& vehicle) { detector_.take(t, vehicle); }
+  void sense(std::int64_t t, const Vehicle& vehicle);
   /// Before every tick that is done.
   void tell(std::int64_t t, tern::Flight& flight, FlightTape& tape) { detector_.deliver(t, flight, tape); }
   /// As Detector::explains().
@@ -46,9 +54,11 @@ class ThingsInFlight {
   /// True where a contact begins.
   bool look(std::int64_t t, const Vehicle& vehicle, const tern::Sample& command);
 
-  /// Where a thing is, for displays.
-  tern::Vec3 place(std::size_t thing, std::int64_t t) const;
-  ThingTotals totals() const { return {detector_.counts(), watch_.contacts()}; }
+  /// Where a thing is.
+  tern::Vec3 place(std::size_t thing, std::int64_t t) const {
+    return motions_[thing].at(1e-9 * static_cast<double>(t)).position;
+  }
+  ThingTotals totals() const { return {detector_.counts(), watch_.contacts(), step_, places_}; }
   /// A contact in motion with a thing that kept its bounds, in words; empty while there is none.
   std::string broken() const;
   /// One with a thing that did not, or was not known: fills in `contact`. False while there is none.
@@ -60,6 +70,8 @@ class ThingsInFlight {
   Detector detector_;
   ThingWatch watch_;
   std::uint32_t committed_ = 0;
+  double step_;
+  std::vector<std::vector<ThingPlace>> places_;
 };
 
 }  // namespace tern_host
