@@ -15,7 +15,6 @@
 namespace {
 
 using tern_host::ConvexPiece;
-using tern_host::ConvexPieces;
 using tern_host::Corner;
 using tern_host::Filled;
 using tern_host::Outline;
@@ -76,21 +75,21 @@ std::vector<int> windings_around(const std::vector<Outline>& outlines, std::size
 
 /// `beyond_cuts`: a level or upright side counts as inside only if the point is not on it. It may be a cut that was
 /// moved outwards.
-bool within(const ConvexPiece& piece, const Corner& p, bool beyond_cuts) {
+bool within_piece(const ConvexPiece& piece, const Corner& p, bool beyond_cuts) {
   return std::all_of(piece.sides.begin(), piece.sides.end(), [&](const Side& s) {
     const __int128 value = static_cast<__int128>(s.a) * p.x + static_cast<__int128>(s.b) * p.y;
     return beyond_cuts && (s.a == 0 || s.b == 0) ? value < s.c : value <= s.c;
   });
 }
 
-int pieces_around(const ConvexPieces& cut, const Corner& p, bool beyond_cuts) {
-  return static_cast<int>(std::count_if(cut.pieces.begin(), cut.pieces.end(),
-                                        [&](const ConvexPiece& piece) { return within(piece, p, beyond_cuts); }));
+int pieces_around(const std::vector<ConvexPiece>& cut, const Corner& p, bool beyond_cuts) {
+  return static_cast<int>(std::count_if(cut.begin(), cut.end(),
+                                        [&](const ConvexPiece& piece) { return within_piece(piece, p, beyond_cuts); }));
 }
 
 /// The point is in the pieces if and only if it is in the area, and inside no two of them.
 void expect_same(const std::vector<Outline>& outlines, std::size_t layers, const Filled& filled,
-                 const ConvexPieces& cut, const Corner& p) {
+                 const std::vector<ConvexPiece>& cut, const Corner& p) {
   if (on_outline(outlines, p)) return;
   if (filled(windings_around(outlines, layers, p))) {
     ASSERT_GE(pieces_around(cut, p, false), 1) << p.x << " " << p.y;
@@ -116,8 +115,8 @@ Corner random_point(Random& random, const std::vector<Outline>& outlines, std::i
 
 void expect_same_everywhere(Random& random, const std::vector<Outline>& outlines, std::size_t layers,
                             const Filled& filled, std::int64_t size, int points) {
-  const ConvexPieces cut = tern_host::convex_pieces(outlines, layers, filled);
-  for (const ConvexPiece& piece : cut.pieces) {
+  const std::vector<ConvexPiece> cut = tern_host::convex_pieces(outlines, layers, filled);
+  for (const ConvexPiece& piece : cut) {
     EXPECT_LE(piece.sides.size(), tern_host::kMostSides);
     EXPECT_EQ(piece.sides.size(), piece.vertices.size());
     EXPECT_GT(piece.area, -1e-9);
@@ -169,41 +168,40 @@ TEST(ConvexPieces, AConvexPolygonIsOnePiece) {
   for (const bool reversed : {false, true}) {
     Outline o = outline({{0, 0}, {4, 0}, {6, 3}, {2, 5}, {-1, 2}});
     if (reversed) std::reverse(o.corners.begin(), o.corners.end());
-    const ConvexPieces cut = tern_host::convex_pieces({o}, 1, even_odd);
-    ASSERT_EQ(cut.pieces.size(), 1u);
-    EXPECT_EQ(cut.pieces[0].sides.size(), 5u);
-    EXPECT_NEAR(cut.pieces[0].area, 22.5, 1e-9);  // (0 + 12 + 24 + 9 + 0) / 2, by the shoelace formula
-    EXPECT_FALSE(cut.crossing);
+    const std::vector<ConvexPiece> cut = tern_host::convex_pieces({o}, 1, even_odd);
+    ASSERT_EQ(cut.size(), 1u);
+    EXPECT_EQ(cut[0].sides.size(), 5u);
+    EXPECT_NEAR(cut[0].area, 22.5, 1e-9);  // (0 + 12 + 24 + 9 + 0) / 2, by the shoelace formula
   }
 }
 
 TEST(ConvexPieces, AnLIsTwoPieces) {
-  const ConvexPieces cut =
+  const std::vector<ConvexPiece> cut =
       tern_host::convex_pieces({outline({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}})}, 1, even_odd);
-  ASSERT_EQ(cut.pieces.size(), 2u);
-  EXPECT_NEAR(cut.pieces[0].area + cut.pieces[1].area, 6.0, 1e-12);
+  ASSERT_EQ(cut.size(), 2u);
+  EXPECT_NEAR(cut[0].area + cut[1].area, 6.0, 1e-12);
 }
 
 TEST(ConvexPieces, ASquareWithASquareHoleIsFourPieces) {
-  const ConvexPieces cut = tern_host::convex_pieces(
+  const std::vector<ConvexPiece> cut = tern_host::convex_pieces(
       {outline({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), outline({{2, 2}, {4, 2}, {4, 4}, {2, 4}}, 1)}, 2,
       first_without_second);
-  EXPECT_EQ(cut.pieces.size(), 4u);
+  EXPECT_EQ(cut.size(), 4u);
   double sum = 0.0;
-  for (const ConvexPiece& piece : cut.pieces) sum += piece.area;
+  for (const ConvexPiece& piece : cut) sum += piece.area;
   EXPECT_NEAR(sum, 32.0, 1e-12);
 }
 
-TEST(ConvexPieces, ABowTieIsTwoTrianglesAndCrosses) {
-  const ConvexPieces cut = tern_host::convex_pieces({outline({{0, 0}, {4, 4}, {4, 0}, {0, 4}})}, 1, even_odd);
-  EXPECT_EQ(cut.pieces.size(), 2u);
-  EXPECT_TRUE(cut.crossing);
+TEST(ConvexPieces, ABowTieIsTwoTriangles) {
+  const std::vector<ConvexPiece> cut =
+      tern_host::convex_pieces({outline({{0, 0}, {4, 4}, {4, 0}, {0, 4}})}, 1, even_odd);
+  EXPECT_EQ(cut.size(), 2u);
 }
 
 TEST(ConvexPieces, ASpikeWithoutAreaIsNothing) {
-  EXPECT_TRUE(tern_host::convex_pieces({outline({{0, 0}, {4, 1}})}, 1, even_odd).pieces.empty());
-  EXPECT_TRUE(tern_host::convex_pieces({outline({{0, 0}, {4, 0}, {2, 0}})}, 1, even_odd).pieces.empty());
-  EXPECT_TRUE(tern_host::convex_pieces({}, 1, even_odd).pieces.empty());
+  EXPECT_TRUE(tern_host::convex_pieces({outline({{0, 0}, {4, 1}})}, 1, even_odd).empty());
+  EXPECT_TRUE(tern_host::convex_pieces({outline({{0, 0}, {4, 0}, {2, 0}})}, 1, even_odd).empty());
+  EXPECT_TRUE(tern_host::convex_pieces({}, 1, even_odd).empty());
 }
 
 TEST(ConvexPieces, ManySidesAreCut) {
@@ -233,9 +231,9 @@ TEST(ConvexPieces, PolygonsWithHolesKeepTheirArea) {
   for (int i = 0; i < tern_test::scaled(1000); ++i) {
     const double size = random.real(10.0, 10000.0);
     const std::vector<Outline> outlines{star(random, 0.5 * size, size, 0), star(random, 0.1 * size, 0.25 * size, 1)};
-    const ConvexPieces cut = tern_host::convex_pieces(outlines, 2, first_without_second);
+    const std::vector<ConvexPiece> cut = tern_host::convex_pieces(outlines, 2, first_without_second);
     double sum = 0.0;
-    for (const ConvexPiece& piece : cut.pieces) sum += piece.area;
+    for (const ConvexPiece& piece : cut) sum += piece.area;
     const double wanted = area_of(outlines[0]) - area_of(outlines[1]);
     EXPECT_NEAR(sum, wanted, 1e-9 * size * size);
     expect_same_everywhere(random, outlines, 2, first_without_second, parts(size), 100);

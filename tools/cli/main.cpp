@@ -94,6 +94,9 @@ int run(int argc, char** argv) {
   tern_cli::add_verify_command(app, exit_status);
 #endif
   tern_cli::add_world_command(app, exit_status);
+#ifdef TERN_HAS_AIRSPACE
+  tern_cli::add_airspace_command(app, exit_status);
+#endif
   check_command(app, argc, argv);
   std::vector<std::string> arguments = reversed_arguments(argc, argv);
   make_way_for_files(arguments);

@@ -180,18 +180,18 @@ ConvexPiece finished(const Growing& piece, const std::vector<Level>& levels) {
   return out;
 }
 
-ConvexPieces cut_along_levels(const std::vector<Outline>& outlines, std::size_t layers, const Filled& filled) {
+std::vector<ConvexPiece> cut_along_levels(const std::vector<Outline>& outlines, std::size_t layers,
+                                          const Filled& filled) {
   const Arrangement arrangement = arrange(outlines);
-  ConvexPieces out;
-  out.crossing = arrangement.crossing;
+  std::vector<ConvexPiece> out;
   for (const Growing& piece : Sweep(arrangement, layers, filled).run()) {
-    out.pieces.push_back(finished(piece, arrangement.levels));
+    out.push_back(finished(piece, arrangement.levels));
   }
   return out;
 }
 
-void mirror(ConvexPieces& cut) {
-  for (ConvexPiece& piece : cut.pieces) {
+void mirror(std::vector<ConvexPiece>& cut) {
+  for (ConvexPiece& piece : cut) {
     for (Side& s : piece.sides) std::swap(s.a, s.b);
     for (ConvexPiece::Vertex& v : piece.vertices) std::swap(v.x, v.y);
     std::reverse(piece.sides.begin(), piece.sides.end());
@@ -216,10 +216,10 @@ void check(const std::vector<Outline>& outlines) {
 
 }  // namespace
 
-ConvexPieces convex_pieces(const std::vector<Outline>& outlines, std::size_t layers, const Filled& filled) {
+std::vector<ConvexPiece> convex_pieces(const std::vector<Outline>& outlines, std::size_t layers, const Filled& filled) {
   check(outlines);
-  ConvexPieces upright = cut_along_levels(outlines, layers, filled);
-  if (upright.pieces.size() < 2) return upright;
+  std::vector<ConvexPiece> upright = cut_along_levels(outlines, layers, filled);
+  if (upright.size() < 2) return upright;
   // Cut across the other axis, there may be fewer pieces. Mirrored outlines wind the other way.
   std::vector<Outline> mirrored = outlines;
   for (Outline& outline : mirrored) {
@@ -229,8 +229,8 @@ ConvexPieces convex_pieces(const std::vector<Outline>& outlines, std::size_t lay
     for (int& winding : windings) winding = -winding;
     return filled(windings);
   };
-  ConvexPieces across = cut_along_levels(mirrored, layers, turned);
-  if (across.pieces.size() >= upright.pieces.size()) return upright;
+  std::vector<ConvexPiece> across = cut_along_levels(mirrored, layers, turned);
+  if (across.size() >= upright.size()) return upright;
   mirror(across);
   return across;
 }

@@ -58,15 +58,9 @@ struct ConvexPiece {
   double area;  ///< m^2
 };
 
-struct ConvexPieces {
-  std::vector<ConvexPiece> pieces;
-  /// Outlines of one layer cross or touch each other or themselves other than at a corner of both.
-  bool crossing = false;
-};
-
 /// The pieces' union is the closed filled area but for parts without an area. Where outlines cross, a cut may be moved
 /// outwards by up to one step. Throws std::invalid_argument with a reason beyond kMostSteps or kMostCorners.
-ConvexPieces convex_pieces(const std::vector<Outline>& outlines, std::size_t layers, const Filled& filled);
+std::vector<ConvexPiece> convex_pieces(const std::vector<Outline>& outlines, std::size_t layers, const Filled& filled);
 
 }  // namespace tern_host
 

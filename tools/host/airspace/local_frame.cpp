@@ -6,13 +6,6 @@
 #include <stdexcept>
 
 namespace tern_host {
-namespace {
-
-/// The ellipsoid's smallest radius of curvature, metres: along the meridian, at the equator.
-constexpr double kLeastRadius = 6335439.0;
-
-}  // namespace
-
 LocalFrame::LocalFrame(const GeoPosition& origin) : origin_(origin), projection_(GeographicLib::Geodesic::WGS84()) {
   const bool finite =
       std::isfinite(origin.point.latitude) && std::isfinite(origin.point.longitude) && std::isfinite(origin.height);

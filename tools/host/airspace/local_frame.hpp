@@ -29,6 +29,9 @@ struct GeoPosition {
   double height;
 };
 
+/// The ellipsoid's smallest radius of curvature, metres: along the meridian, at the equator.
+constexpr double kLeastRadius = 6335439.0;
+
 /// The largest error of lengths that a frame is used with, metres, and the largest latitude of its origin.
 constexpr double kMostLengthError = 0.01;
 constexpr double kMostLatitude = 80.0;

@@ -34,26 +34,9 @@ int side_of(const Segment& s, const Corner& c) {
   return (area > 0) - (area < 0);
 }
 
-bool is_end(const Segment& s, const Corner& c) {
-  return same(s.from, c) || same(s.to, c);
-}
-
-/// Two segments on one line: true if they share more than an end. Otherwise true if they meet in a point that is not an
-/// end of both.
-bool meets_within(const Segment& a, const Segment& b) {
-  const int a_from = side_of(b, a.from), a_to = side_of(b, a.to), b_from = side_of(a, b.from), b_to = side_of(a, b.to);
-  if (a_from == 0 && a_to == 0) {
-    const bool apart = a.right() < b.left() || b.right() < a.left() || a.top() < b.bottom() || b.top() < a.bottom();
-    if (apart) return false;
-    const bool at_left = a.right() == b.left() || b.right() == a.left();
-    const bool at_end = a.top() == b.bottom() || b.top() == a.bottom();
-    return !(at_left && at_end);
-  }
-  if (a_from * a_to > 0 || b_from * b_to > 0) return false;
-  for (const Corner& end : {a.from, a.to}) {
-    if (is_end(b, end)) return false;
-  }
-  return true;
+/// True if two segments that are not parallel meet.
+bool meet(const Segment& a, const Segment& b) {
+  return side_of(b, a.from) * side_of(b, a.to) <= 0 && side_of(a, b.from) * side_of(a, b.to) <= 0;
 }
 
 /// The level on which two segments that meet and are not parallel do so.
@@ -73,9 +56,8 @@ bool parallel(const Segment& a, const Segment& b) {
 }
 
 void note_meeting(const Segment& a, const Segment& b, Arrangement& found) {
-  if (a.right() < b.left() || b.right() < a.left() || !meets_within(a, b)) return;
-  if (a.layer == b.layer) found.crossing = true;
-  if (!a.is_level() && !b.is_level() && !parallel(a, b)) found.levels.push_back(meeting_level(a, b));
+  if (a.right() < b.left() || b.right() < a.left() || a.is_level() || b.is_level() || parallel(a, b)) return;
+  if (meet(a, b)) found.levels.push_back(meeting_level(a, b));
 }
 
 std::vector<Segment> segments_of(const std::vector<Outline>& outlines) {

@@ -55,7 +55,6 @@ int compare_slopes(const Edge& a, const Edge& b);
 struct Arrangement {
   std::vector<Edge> edges;
   std::vector<Level> levels;
-  bool crossing = false;  ///< as ConvexPieces::crossing
 };
 Arrangement arrange(const std::vector<Outline>& outlines);
 

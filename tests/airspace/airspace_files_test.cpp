@@ -1,0 +1,177 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files of each format: what becomes of good ones, kept beside them; that bad ones are refused with their place; and
+// that spoiled ones are read or refused, but never worse.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "airspace/airspace_file.hpp"
+#include "host/scenario.hpp"
+#include "host/text_records.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using tern_host::Airspace;
+using tern_host::AirspaceFile;
+using tern_host::AirspaceSettings;
+using tern_test::content;
+using tern_test::lake_settings;
+using tern_test::Random;
+
+const char* const kFiles[] = {"geozones.ed269.json", "geozones.ed318.json", "mission.plan", "volumes.f3548.json",
+                              "zones.geojson",       "zones.kml",           "zones.kmz"};
+
+/// Words are equal, or numbers that differ by no more than a micrometre: libraries may round the last digits.
+void expect_like(const std::string& text, const std::string& kept) {
+  std::istringstream words(text), wanted(kept);
+  std::string word, other;
+  while (wanted >> other) {
+    ASSERT_TRUE(static_cast<bool>(words >> word)) << "ends before " << other;
+    if (word == other) continue;
+    char* end = nullptr;
+    const double a = std::strtod(word.c_str(), &end);
+    ASSERT_EQ(*end, '\0') << word << " instead of " << other;
+    ASSERT_NEAR(a, std::strtod(other.c_str(), &end), 1e-6);
+    ASSERT_EQ(*end, '\0') << word << " instead of " << other;
+  }
+  ASSERT_FALSE(static_cast<bool>(words >> word)) << "goes on with " << word;
+}
+
+class AirspaceFiles : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(AirspaceFiles, AreReadAsKept) {
+  const std::string name = GetParam();
+  const Airspace airspace = tern_host::make_airspace({tern_host::parse_airspace(content(name), name)}, lake_settings());
+  const std::string text = tern_host::airspace_table(airspace) + tern_host::fences_text(airspace);
+  const std::string kept = content("kept/" + name + ".txt");
+  expect_like(text, kept);
+  if (HasFatalFailure()) {
+    std::ofstream(name + ".txt") << text;
+    FAIL() << "what it is now stands in " << std::filesystem::current_path() / (name + ".txt");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, AirspaceFiles, ::testing::ValuesIn(kFiles), [](const auto& test) {
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+});
+
+TEST(Airspace, LeavesOutAndKeepsInAsTold) {
+  AirspaceSettings settings = lake_settings();
+  settings.leave_out = {"Lake"};
+  settings.keep_in = {"Islands"};
+  const std::vector<AirspaceFile> files{tern_host::parse_airspace(content("zones.geojson"), "a"),
+                                        tern_host::parse_airspace(content("zones.kml"), "b")};
+  const Airspace airspace = tern_host::make_airspace(files, settings);
+  EXPECT_EQ(airspace.entries[0].left_out, "left out, as told");
+  EXPECT_TRUE(airspace.entries[0].fit.fences.empty());
+  EXPECT_EQ(airspace.entries.back().zone.kind, tern_host::ZoneKind::kKeepIn);
+  EXPECT_EQ(airspace.entries.back().fit.fences[0].kind, tern::FenceKind::kKeepIn);
+}
+
+TEST(Airspace, WritesRecordsOfAScenario) {
+  AirspaceSettings settings = lake_settings();
+  settings.epoch = tern_host::parse_instant("2026-03-01T08:00:00Z");
+  const Airspace airspace =
+      tern_host::make_airspace({tern_host::parse_airspace(content("zones.geojson"), "a")}, settings);
+  const tern_host::Scenario scenario = tern_host::parse_scenario(
+      tern_host::fences_text(airspace) + "start -900 -900 50\ngoal 900 -500 50\n", "lake.txt");
+  ASSERT_EQ(static_cast<int>(scenario.fences.size()), airspace.fence_count());
+  std::size_t next = 0;
+  for (const tern_host::AirspaceEntry& entry : airspace.entries) {
+    for (const tern_host::FittedFence& fence : entry.fit.fences) {
+      const tern_host::FenceRecord& record = scenario.fences[next++];
+      EXPECT_EQ(record.fence.kind, fence.kind);
+      EXPECT_EQ(tern::is_timed(record.fence), !entry.spans.empty());
+      ASSERT_EQ(record.planes.size(), fence.planes.size());
+      for (std::size_t i = 0; i < fence.planes.size(); ++i) {
+        EXPECT_EQ(record.planes[i].normal.x, fence.planes[i].normal.x);
+        EXPECT_EQ(record.planes[i].normal.y, fence.planes[i].normal.y);
+        EXPECT_EQ(record.planes[i].offset, fence.planes[i].offset);
+      }
+      if (entry.spans.empty()) continue;
+      EXPECT_EQ(record.fence.from, entry.spans[0].from - *settings.epoch);
+      EXPECT_EQ(record.fence.until, entry.spans[0].until - *settings.epoch);
+      EXPECT_EQ(record.fence.clock_error, 2.0);
+    }
+  }
+}
+
+TEST(Airspace, DrawsWhatItHas) {
+  const Airspace airspace =
+      tern_host::make_airspace({tern_host::parse_airspace(content("zones.kml"), "zones.kml")}, lake_settings());
+  const std::string svg = tern_host::airspace_svg(airspace);
+  EXPECT_NE(svg.find("keepout-for-a-while"), std::string::npos);
+  EXPECT_NE(svg.find("Zürichhorn &amp; park"), std::string::npos);
+}
+
+TEST(Airspace, PrintsNoControlCharacters) {
+  EXPECT_EQ(tern_host::printable("a\x1b[31m\n"), "a?[31m?");
+  EXPECT_EQ(tern_host::printable("\xC2\x9B\xC2\xB0 \xE2\x82\xAC \xFF\xC3"), "??\xC2\xB0 \xE2\x82\xAC ??");
+  EXPECT_EQ(tern_host::printable("Zürich", 2), "Zü...");
+}
+
+/// Bytes changed, dropped, doubled or replaced by what readers trip over.
+void spoil(Random& random, std::string& bytes) {
+  const char* const hostile[] = {"null", "-1", "1e308", "[]", "{}", "\"\"", "true",    "99999",
+                                 "<",    ">",  "/>",    "\"", "0",  "NaN",  "\\u0000", "\xFF"};
+  const auto place = [&] { return static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()))); };
+  const std::size_t at = place();
+  switch (random.integer(0, 4)) {
+    case 0:
+      bytes.resize(at);
+      break;
+    case 1:
+      bytes.erase(at, static_cast<std::size_t>(random.integer(1, 30)));
+      break;
+    case 2:
+      bytes.insert(at, bytes.substr(place(), static_cast<std::size_t>(random.integer(1, 60))));
+      break;
+    case 3:
+      if (at < bytes.size()) bytes[at] = static_cast<char>(random.integer(0, 255));
+      break;
+    default:
+      bytes.replace(at, std::min<std::size_t>(bytes.size() - at, 4), hostile[random.integer(0, 15)]);
+  }
+}
+
+TEST(Airspace, SpoiledFilesAreReadOrRefused) {
+  Random random(31);
+  int read = 0, refused = 0;
+  for (int i = 0; i < tern_test::scaled(4000); ++i) {
+    std::string bytes = content(kFiles[i % 7]);
+    for (int k = random.integer(1, 3); k > 0; --k) spoil(random, bytes);
+    try {
+      const Airspace airspace =
+          tern_host::make_airspace({tern_host::parse_airspace(bytes, "spoiled")}, lake_settings());
+      for (const tern_host::AirspaceEntry& entry : airspace.entries) {
+        ASSERT_TRUE(entry.left_out.empty() != entry.fit.fences.empty());
+        for (const tern_host::FittedFence& fence : entry.fit.fences) {
+          for (const tern::Halfspace& h : fence.planes)
+            ASSERT_TRUE(std::isfinite(h.normal.x + h.normal.y + h.normal.z + h.offset));
+        }
+      }
+      ASSERT_FALSE(tern_host::fences_text(airspace).empty());
+      ++read;
+    } catch (const tern_host::RecordError& error) {
+      ASSERT_EQ(error.place().file, "spoiled");
+      ASSERT_FALSE(error.reason().empty());
+      ++refused;
+    } catch (const std::invalid_argument& error) {
+      ASSERT_FALSE(std::string(error.what()).empty());
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 0);
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace

@@ -1,0 +1,172 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/airspace/airspace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tern_host {
+namespace {
+
+constexpr double kMostHours = 24.0 * 366.0;
+
+/// Bytes of the character at a place of a text in UTF-8; 0 where there is none, or one that controls a terminal.
+std::size_t utf8_length(const std::string& text, std::size_t at) {
+  const auto byte = [&text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned first = byte(at);
+  if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : 0;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  unsigned code = first & (0xFFu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+    code = (code << 6) | (byte(at + i) & 0x3F);
+  }
+  const unsigned least[] = {0, 0, 0xA0, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return first >= 0xC0 && code >= least[length] && code <= 0x10FFFF && !surrogate ? length : 0;
+}
+
+bool is_named(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_names(const std::vector<std::string>& names, const std::vector<AirspaceFile>& files) {
+  for (const std::string& name : names) {
+    const bool found = std::any_of(files.begin(), files.end(), [&name](const AirspaceFile& file) {
+      return std::any_of(file.zones.begin(), file.zones.end(), [&name](const Zone& zone) { return zone.name == name; });
+    });
+    if (!found) throw std::invalid_argument("no zone is named '" + printable(name) + "'");
+  }
+}
+
+/// The first mission with a home.
+const Itinerary* home_mission(const std::vector<AirspaceFile>& files) {
+  for (const AirspaceFile& file : files) {
+    if (file.mission && file.mission->home) return &*file.mission;
+  }
+  return nullptr;
+}
+
+GeoPosition origin_of(const AirspaceSettings& settings, const Itinerary* mission) {
+  const double height = settings.height.value_or(NAN);
+  if (settings.origin) return {*settings.origin, height};
+  if (mission != nullptr) return {*mission->home, height};
+  throw std::invalid_argument("the origin of the frame is not known: give --origin LATITUDE LONGITUDE");
+}
+
+class AirspaceMaker {
+ public:
+  AirspaceMaker(const std::vector<AirspaceFile>& files, const AirspaceSettings& settings)
+      : files_(files), settings_(settings) {
+    const Itinerary* const mission = home_mission(files);
+    if (mission != nullptr) settings_.heights.home = GeoPosition{*mission->home, mission->home_height};
+    heights_ = std::make_unique<ZoneHeights>(origin_of(settings_, mission), settings_.heights);
+  }
+
+  Airspace run() {
+    check_fit(settings_.fit);
+    check_names(settings_.leave_out, files_);
+    check_names(settings_.keep_in, files_);
+    out_.origin = heights_->frame().origin();
+    out_.knows_height = heights_->knows_origin();
+    for (const AirspaceFile& file : files_) {
+      for (const Zone& zone : file.zones) add(zone);
+      out_.left_out.insert(out_.left_out.end(), file.left_out.begin(), file.left_out.end());
+      if (!file.mission) continue;
+      add_points(file.mission->points, out_.points);
+      add_points(file.mission->rally, out_.rally);
+    }
+    out_.settings = settings_;
+    return std::move(out_);
+  }
+
+ private:
+  void add(const Zone& zone) {
+    AirspaceEntry entry{zone, {}, {}, ""};
+    if (is_named(settings_.keep_in, zone.name)) entry.zone.kind = ZoneKind::kKeepIn;
+    if (is_named(settings_.leave_out, zone.name)) {
+      entry.left_out = "left out, as told";
+    } else {
+      try {
+        fit(entry);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(printable(zone.name) + ", " + zone.place + ": " + error.what());
+      }
+    }
+    out_.entries.push_back(std::move(entry));
+  }
+
+  void fit(AirspaceEntry& entry) const {
+    if (!entry.zone.times.empty()) {
+      if (!settings_.epoch) throw std::invalid_argument("it has times: give --epoch, when the flight's clock is 0");
+      const Instant end = *settings_.epoch + static_cast<Instant>(settings_.hours * 3600.0) * kSecond;
+      entry.spans = spans_of(entry.zone.times, {*settings_.epoch, end}, settings_.events);
+      if (entry.spans.empty()) {
+        entry.left_out = "does not hold then";
+        return;
+      }
+    }
+    entry.fit = fit_zone(entry.zone, *heights_, settings_.fit);
+    if (entry.fit.fences.empty()) {
+      entry.left_out = entry.zone.kind == ZoneKind::kKeepIn ? "holds all of the boundary" : "not at the boundary";
+    }
+  }
+
+  void add_points(const std::vector<ItineraryPoint>& from, std::vector<LocalPoint>& to) const {
+    for (const ItineraryPoint& p : from) {
+      const Plan2 at = heights_->frame().plan(p.point);
+      try {
+        const HeightRange z = heights_->local(p.height, {at, at});
+        to.push_back({{at.east, at.north, 0.5 * (z.low + z.high)}, p.tolerance, p.dwell});
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("point " + std::to_string(to.size() + 1) + " of the mission: " + error.what());
+      }
+    }
+  }
+
+  const std::vector<AirspaceFile>& files_;
+  AirspaceSettings settings_;
+  std::unique_ptr<ZoneHeights> heights_;
+  Airspace out_;
+};
+
+}  // namespace
+
+int Airspace::fence_count() const {
+  std::size_t count = 0;
+  for (const AirspaceEntry& e : entries) count += e.fit.fences.size() * std::max<std::size_t>(1, e.spans.size());
+  return static_cast<int>(count);
+}
+
+int Airspace::plane_count() const {
+  std::size_t count = 0;
+  for (const AirspaceEntry& e : entries) {
+    for (const FittedFence& f : e.fit.fences) count += f.planes.size() * std::max<std::size_t>(1, e.spans.size());
+  }
+  return static_cast<int>(count);
+}
+
+Airspace make_airspace(const std::vector<AirspaceFile>& files, const AirspaceSettings& settings) {
+  if (!(settings.hours > 0.0 && settings.hours <= kMostHours)) {
+    throw std::invalid_argument("the hours must be more than 0, and at most a year");
+  }
+  if (!(settings.clock_error >= 0.0 && settings.clock_error <= 1e6)) {
+    throw std::invalid_argument("the clock's error must be 0 to 1000000 s");
+  }
+  return AirspaceMaker(files, settings).run();
+}
+
+std::string printable(const std::string& text, std::size_t most) {
+  std::string out;
+  std::size_t characters = 0;
+  for (std::size_t at = 0; at < text.size(); ++characters) {
+    if (characters == most) return out + "...";
+    const std::size_t length = utf8_length(text, at);
+    out += length > 0 ? text.substr(at, length) : "?";
+    at += std::max<std::size_t>(1, length);
+  }
+  return out;
+}
+
+}  // namespace tern_host

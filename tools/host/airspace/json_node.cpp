@@ -1,0 +1,126 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/airspace/json_node.hpp"
+
+#include <cmath>
+
+#include "host/number.hpp"
+#include "host/text_records.hpp"
+
+namespace tern_host {
+
+nlohmann::json parse_json(const std::string& bytes, const std::string& file) {
+  try {
+    return nlohmann::json::parse(bytes);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw RecordError({file, 0}, "not JSON: something is wrong at byte " + std::to_string(error.byte));
+  } catch (const nlohmann::json::exception&) {
+    throw RecordError({file, 0}, "not JSON: a number is beyond all ranges");
+  }
+}
+
+void JsonNode::refuse(const std::string& reason) const {
+  std::string where;
+  for (const char c : path_.substr(0, 200)) where += c >= 0x20 && c < 0x7F ? c : '?';
+  throw RecordError({file_, 0}, "at " + (where.empty() ? "/" : where) + ": " + reason);
+}
+
+bool JsonNode::has(const char* key) const {
+  return value_->is_object() && value_->contains(key) && !(*value_)[key].is_null();
+}
+
+JsonNode JsonNode::at(const char* key) const {
+  if (!value_->is_object()) refuse("this is no object, so it has no '" + std::string(key) + "'");
+  if (!has(key)) refuse("'" + std::string(key) + "' is missing");
+  return {(*value_)[key], file_, path_ + "/" + key};
+}
+
+std::size_t JsonNode::size() const {
+  if (!value_->is_array()) refuse("this must be an array");
+  return value_->size();
+}
+
+JsonNode JsonNode::at(std::size_t index) const {
+  if (index >= size()) refuse("the array has only " + std::to_string(size()) + " elements");
+  return {(*value_)[index], file_, path_ + "/" + std::to_string(index)};
+}
+
+std::vector<JsonNode> JsonNode::items() const {
+  std::vector<JsonNode> out;
+  for (std::size_t i = 0; i < size(); ++i) out.push_back(at(i));
+  return out;
+}
+
+double JsonNode::number() const {
+  if (!value_->is_number()) refuse("this must be a number");
+  const double value = value_->get<double>();
+  if (!std::isfinite(value)) refuse("this must be a finite number");
+  return value;
+}
+
+int JsonNode::whole() const {
+  const double value = number();
+  if (!(std::fabs(value) <= 1e9) || std::floor(value) != value) refuse("this must be a whole number");
+  return static_cast<int>(value);
+}
+
+bool JsonNode::flag() const {
+  if (!value_->is_boolean()) refuse("this must be true or false");
+  return value_->get<bool>();
+}
+
+const std::string& JsonNode::text() const {
+  if (!value_->is_string()) refuse("this must be a text");
+  return value_->get_ref<const std::string&>();
+}
+
+std::string JsonNode::text_or(const char* key, const std::string& otherwise) const {
+  return has(key) ? at(key).text() : otherwise;
+}
+
+Instant JsonNode::instant() const {
+  const std::optional<Instant> parsed = parse_instant(text());
+  if (!parsed) refuse(quote(text()) + " is no date and time with a time zone, such as 2026-03-01T09:30:00Z");
+  return *parsed;
+}
+
+Instant JsonNode::day_time() const {
+  const std::optional<Instant> parsed = parse_day_time(text());
+  if (!parsed) refuse(quote(text()) + " is no time of the day with a time zone, such as 09:30:00Z");
+  return *parsed;
+}
+
+GeoPoint JsonNode::latitude_longitude() const {
+  if (size() < 2) refuse("a position needs a latitude and a longitude");
+  const GeoPoint point{at(std::size_t{0}).number(), at(std::size_t{1}).number()};
+  check_point(point, *this);
+  return point;
+}
+
+GeoPoint JsonNode::longitude_latitude() const {
+  if (size() < 2) refuse("a position needs a longitude and a latitude");
+  const GeoPoint point{at(std::size_t{1}).number(), at(std::size_t{0}).number()};
+  check_point(point, *this);
+  return point;
+}
+
+void check_point(const GeoPoint& point, const JsonNode& place) {
+  if (!(std::fabs(point.latitude) <= 90.0)) {
+    place.refuse("the latitude " + brief(point.latitude) + " is beyond 90 degrees; is it the longitude?");
+  }
+  if (!(std::fabs(point.longitude) <= 360.0)) {
+    place.refuse("the longitude " + brief(point.longitude) + " is beyond 360 degrees");
+  }
+}
+
+std::vector<GeoPoint> ring_of(const JsonNode& positions, GeoPoint (JsonNode::*order)() const) {
+  std::vector<GeoPoint> ring;
+  for (const JsonNode& position : positions.items()) ring.push_back((position.*order)());
+  const bool closed = ring.size() > 1 && ring.front().latitude == ring.back().latitude &&
+                      ring.front().longitude == ring.back().longitude;
+  if (closed) ring.pop_back();
+  if (ring.size() < 3) positions.refuse("an outline needs three corners or more");
+  return ring;
+}
+
+}  // namespace tern_host

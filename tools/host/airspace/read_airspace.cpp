@@ -1,0 +1,53 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which format a file is in, by its content.
+#include <algorithm>
+
+#include "host/airspace/formats.hpp"
+#include "host/text_records.hpp"
+
+namespace tern_host {
+namespace {
+
+bool is_geozone(const JsonNode& feature) {
+  return feature.has("properties") && feature.at("properties").has("identifier") &&
+         feature.at("properties").has("country") && feature.at("properties").has("type");
+}
+
+/// Features of ED-269 are none of GeoJSON: they have no type.
+bool is_ed269(const JsonNode& feature) {
+  return feature.has("identifier") && feature.has("restriction");
+}
+
+AirspaceFile read_json(const JsonNode& document) {
+  if (document.has("fileType") || document.has("geoFence")) return read_qgc_plan(document);
+  for (const char* key : {"operational_intent", "operational_intents", "constraint", "constraints", "details"}) {
+    if (document.has(key)) return read_f3548(document);
+  }
+  if (document.has("features") && document.at("features").is_array()) {
+    const std::vector<JsonNode> features = document.at("features").items();
+    if (std::any_of(features.begin(), features.end(), is_ed269)) return read_ed269(document);
+    if (std::any_of(features.begin(), features.end(), is_geozone)) return read_ed318(document);
+  }
+  if (document.has("type")) return read_geojson(document);
+  document.refuse(
+      "this is none of the JSON formats that are read: GeoJSON, ED-269, ED-318, F3548 or a plan of QGroundControl");
+}
+
+}  // namespace
+
+AirspaceFile parse_airspace(const std::string& bytes, const std::string& name) {
+  if (bytes.compare(0, 2, "PK") == 0) return read_kml(kml_of_kmz(bytes, name), name);
+  std::size_t first = bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+  first = bytes.find_first_not_of(" \t\r\n", first);
+  if (first != std::string::npos && bytes[first] == '<') return read_kml(bytes, name);
+  const nlohmann::json document = parse_json(bytes, name);
+  return read_json(JsonNode(document, name));
+}
+
+AirspaceFile read_airspace(const std::string& path) {
+  return parse_airspace(read_bytes(path, kMaxTextBytes), path);
+}
+
+}  // namespace tern_host
