@@ -99,6 +99,12 @@ TEST(AirspaceErrors, OfPlans) {
   expect_error(spoiled("mission.plan", "[12.5, 2, 0, null", "[12.5, 2, 0"), "params: a command has seven parameters");
 }
 
+TEST(AirspaceErrors, OfOtherVersionsOfPlans) {
+  expect_error(spoiled("mission.plan", "\"version\": 1", "\"version\": 2"), "at /version: the version 2 of the format");
+  expect_error(spoiled("mission.plan", "\"version\": 2", "\"version\": 1"),
+               "at /mission/version: the version 1 of the format");
+}
+
 TEST(AirspaceErrors, OfKml) {
   expect_error("<kml><Placemark>", "bad.json:1: not XML");
   expect_error("<gpx></gpx>", "bad.json:1: the outermost element must be 'kml'");

@@ -117,6 +117,16 @@ TEST(ZoneFit, AZoneFarAwayIsNoFence) {
   }
 }
 
+TEST(ZoneFit, LongEdgesElsewhereAreNotUncertainHere) {
+  ZoneCase c = square_case(ZoneKind::kKeepOut, {});
+  c.zone.edges = tern_host::EdgeRule::kEither;
+  // The long edge is uncertain by kilometres, but passes 111 km to the north.
+  c.zone.areas[0].ring = {{48.0, 5.0}, {48.0, 10.0}, {49.0, 8.0}};
+  EXPECT_TRUE(tern_host::fit_zone(c.zone, c.heights, c.settings).fences.empty());
+  c.zone.areas[0].ring = {{48.0, 5.0}, {48.0, 10.0}, {47.003, 8.002}, {46.998, 8.0}, {47.003, 7.998}};
+  expect_refused(c, "uncertain");  // two edges of 190 km end here
+}
+
 TEST(ZoneFit, ACountryIsReadAndCoversTheBoundary) {
   ZoneCase c = square_case(ZoneKind::kKeepOut, {});
   c.zone.edges = tern_host::EdgeRule::kDegrees;

@@ -50,7 +50,9 @@ Applicability dates(const JsonNode& period) {
   Applicability when;
   if (!period.text_or("startDateTime", "").empty()) when.from = period.at("startDateTime").instant();
   if (!period.text_or("endDateTime", "").empty()) when.until = period.at("endDateTime").instant();
-  if (period.has("schedule")) when.schedule = day_schedule(period.at("schedule"));
+  for (const char* key : {"schedule", "dailyPeriod"}) {
+    if (period.has(key)) when.schedule = day_schedule(period.at(key));
+  }
   return when;
 }
 
@@ -158,7 +160,9 @@ void read_ed318_feature(const JsonNode& feature, AirspaceFile& file) {
 
 AirspaceFile read_ed269(const JsonNode& document) {
   AirspaceFile file{"ED-269", {}, {}, {}};
-  for (const JsonNode& feature : document.at("features").items()) read_ed269_feature(feature, file);
+  // An earlier form of the format has other names for two members.
+  const char* const list = document.has("UASZoneList") ? "UASZoneList" : "features";
+  for (const JsonNode& feature : document.at(list).items()) read_ed269_feature(feature, file);
   return file;
 }
 

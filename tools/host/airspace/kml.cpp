@@ -57,8 +57,11 @@ std::vector<pugi::xml_node> all_below(pugi::xml_node node, std::vector<std::stri
 
 class KmlReader {
  public:
-  KmlReader(const std::string& text, std::string name) : name_(std::move(name)), text_(text) {
+  KmlReader(const std::string& text, std::string name) : name_(std::move(name)) {
     file_.format = "KML";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') line_ends_.push_back(static_cast<std::ptrdiff_t>(i));
+    }
     const pugi::xml_parse_result result = document_.load_buffer(text.data(), text.size());
     if (!result) throw RecordError({name_, line_of(result.offset)}, std::string("not XML: ") + result.description());
   }
@@ -76,8 +79,7 @@ class KmlReader {
 
  private:
   int line_of(std::ptrdiff_t offset) const {
-    const auto end = text_.begin() + std::min<std::ptrdiff_t>(offset, static_cast<std::ptrdiff_t>(text_.size()));
-    return 1 + static_cast<int>(std::count(text_.begin(), end, '\n'));
+    return 1 + static_cast<int>(std::lower_bound(line_ends_.begin(), line_ends_.end(), offset) - line_ends_.begin());
   }
   std::string place(const pugi::xml_node& node) const {
     return name_ + ":" + std::to_string(line_of(node.offset_debug()));
@@ -169,7 +171,7 @@ class KmlReader {
   }
 
   std::string name_;
-  const std::string& text_;
+  std::vector<std::ptrdiff_t> line_ends_;
   pugi::xml_document document_;
   AirspaceFile file_;
 };

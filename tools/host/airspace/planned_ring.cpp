@@ -81,9 +81,7 @@ class RingPlanner {
   void add(const GeoPoint& from, const GeoPoint& to) {
     const RingEdge edge(from, to, rule_);
     const Plan2 first = frame_.plan(from), last = frame_.plan(to);
-    if (rule_ == EdgeRule::kEither && !is_far(first, last, edge.length())) {
-      slack_ = std::max(slack_, bend_of_degrees(edge.length(), edge.steepest()));
-    }
+    between_ = rule_ == EdgeRule::kEither ? bend_of_degrees(edge.length(), edge.steepest()) : 0.0;
     // Halves still to be looked at, the nearest to the edge's beginning on top.
     std::vector<Part> parts{{0.0, 1.0, first, last}};
     while (!parts.empty()) {
@@ -110,10 +108,10 @@ class RingPlanner {
     Plan2 first, last;
   };
 
-  /// The part lies in two discs about its ends, which do not reach the window: neither it nor any other line in them
-  /// between the ends has the window on its other side.
+  /// The part lies in two discs about its ends, which do not reach the window, nor does what is between the two rules:
+  /// neither it nor any other line in them between the ends has the window on its other side.
   bool is_far(const Plan2& first, const Plan2& last, double span) const {
-    return std::min(tern_host::length(first), tern_host::length(last)) - 1.5 * span > reach_;
+    return std::min(tern_host::length(first), tern_host::length(last)) - 1.5 * span > reach_ + 1.5 * between_;
   }
 
   bool is_straight(const Part& part, const RingEdge& edge) {
@@ -125,6 +123,7 @@ class RingPlanner {
     if (rule_ == EdgeRule::kDegrees) bend += bend_of_degrees(span, edge.steepest());
     if (bend > tolerance_) return false;
     straightness_ = std::max(straightness_, bend);
+    slack_ = std::max(slack_, between_);
     return true;
   }
 
@@ -132,7 +131,8 @@ class RingPlanner {
   const EdgeRule rule_;
   const double tolerance_;
   const double reach_;
-  double slack_ = 0.0;         // between the two rules
+  double between_ = 0.0;       // the two rules for the edge at hand
+  double slack_ = 0.0;         // the same of all edges that come near the window
   double straightness_ = 0.0;  // of the parts
   std::vector<Plan2> points_;
 };

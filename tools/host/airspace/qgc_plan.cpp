@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // QGroundControl's plan files: fences, rally points and mission items.
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include "host/airspace/formats.hpp"
@@ -20,6 +22,7 @@ class PlanReader {
 
   AirspaceFile read() {
     if (document_.text_or("fileType", "") != "Plan") document_.refuse("'fileType' must be 'Plan'");
+    check_version(document_, {1});
     Itinerary mission;
     if (document_.has("mission")) read_mission(document_.at("mission"), mission);
     if (document_.has("geoFence")) read_fences(document_.at("geoFence"));
@@ -34,9 +37,19 @@ class PlanReader {
   }
 
  private:
+  /// Other versions have other members.
+  static void check_version(const JsonNode& node, std::initializer_list<int> read) {
+    if (!node.has("version")) return;
+    const int version = node.at("version").whole();
+    if (std::find(read.begin(), read.end(), version) == read.end()) {
+      node.at("version").refuse("the version " + std::to_string(version) + " of the format is not read");
+    }
+  }
+
   // ---- fences ----
 
   void read_fences(const JsonNode& fence) {
+    check_version(fence, {1, 2});
     if (fence.has("polygons")) {
       for (const JsonNode& polygon : fence.at("polygons").items()) {
         ZoneArea area;
@@ -97,6 +110,7 @@ class PlanReader {
   // ---- mission ----
 
   void read_mission(const JsonNode& node, Itinerary& mission) {
+    check_version(node, {2});
     if (node.has("firmwareType")) firmware_ = node.at("firmwareType").whole();
     if (node.has("plannedHomePosition")) {
       const JsonNode home = node.at("plannedHomePosition");

@@ -25,6 +25,7 @@ AirspaceFile read_json(const JsonNode& document) {
   for (const char* key : {"operational_intent", "operational_intents", "constraint", "constraints", "details"}) {
     if (document.has(key)) return read_f3548(document);
   }
+  if (document.has("UASZoneList")) return read_ed269(document);
   if (document.has("features") && document.at("features").is_array()) {
     const std::vector<JsonNode> features = document.at("features").items();
     if (std::any_of(features.begin(), features.end(), is_ed269)) return read_ed269(document);
