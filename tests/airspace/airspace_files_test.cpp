@@ -105,6 +105,14 @@ TEST(Airspace, WritesRecordsOfAScenario) {
   }
 }
 
+TEST(Airspace, SaysWhatItHasAlready) {
+  const AirspaceFile file = tern_host::parse_airspace(content("zones.kml"), "zones.kml");
+  const Airspace once = tern_host::make_airspace({file}, lake_settings());
+  const Airspace twice = tern_host::make_airspace({file, file}, lake_settings());
+  EXPECT_EQ(twice.fence_count(), once.fence_count());
+  EXPECT_EQ(twice.entries.back().left_out, "as Islands, zones.kml:23");
+}
+
 TEST(Airspace, DrawsWhatItHas) {
   const Airspace airspace =
       tern_host::make_airspace({tern_host::parse_airspace(content("zones.kml"), "zones.kml")}, lake_settings());

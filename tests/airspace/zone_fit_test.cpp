@@ -107,6 +107,34 @@ TEST(ZoneFit, SaysWhatItMadeOfCrossings) {
   EXPECT_NE(fitted.notes[0].find("crosses itself"), std::string::npos);
 }
 
+TEST(ZoneFit, ThePentagramIsClosedAndItsMiddleIsNoPlaceToStay) {
+  for (const ZoneKind kind : {ZoneKind::kKeepOut, ZoneKind::kKeepIn}) {
+    ZoneCase c = square_case(kind, {});
+    c.settings.looseness = 0.01;
+    c.zone.areas[0].ring.clear();
+    for (int i = 0; i < 5; ++i) {
+      const double angle = 2.0 * i * 6.283185307179586 / 5.0;
+      c.zone.areas[0].ring.push_back(c.frame.point({100.0 * std::cos(angle), 100.0 * std::sin(angle)}));
+    }
+    const FittedZone fitted = tern_host::fit_zone(c.zone, c.heights, c.settings);
+    EXPECT_FALSE(allowed(fitted, {0.0, 0.0, 50.0}));
+    EXPECT_EQ(allowed(fitted, {70.0, 0.0, 50.0}), kind == ZoneKind::kKeepIn);
+    EXPECT_EQ(allowed(fitted, {-60.0, 0.0, 50.0}), kind == ZoneKind::kKeepOut);
+    ASSERT_GE(fitted.notes.size(), 1u);
+    EXPECT_NE(fitted.notes[0].find("crosses itself"), std::string::npos);
+  }
+}
+
+TEST(ZoneFit, AFlatZoneIsNotElsewhere) {
+  ZoneCase c = square_case(ZoneKind::kKeepOut, {});
+  c.zone.areas[0].ring = {{47.0, 8.0}, {47.001, 8.0}, {47.0, 8.0}};
+  const FittedZone fitted = tern_host::fit_zone(c.zone, c.heights, c.settings);
+  EXPECT_TRUE(fitted.fences.empty());
+  EXPECT_TRUE(fitted.flat);
+  c.zone.areas[0].ring = {{48.0, 8.0}, {48.001, 8.0}, {48.0, 8.0}};
+  EXPECT_FALSE(tern_host::fit_zone(c.zone, c.heights, c.settings).flat);
+}
+
 TEST(ZoneFit, AZoneFarAwayIsNoFence) {
   for (const GeoPoint& there : {GeoPoint{-47.0, -172.0}, GeoPoint{10.0, 100.0}, GeoPoint{47.0, 9.0}}) {
     ZoneCase c = square_case(ZoneKind::kKeepOut, {});

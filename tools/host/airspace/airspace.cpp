@@ -55,6 +55,21 @@ GeoPosition origin_of(const AirspaceSettings& settings, const Itinerary* mission
   throw std::invalid_argument("the origin of the frame is not known: give --origin LATITUDE LONGITUDE");
 }
 
+bool are_same(const tern::Halfspace& a, const tern::Halfspace& b) {
+  return a.normal.x == b.normal.x && a.normal.y == b.normal.y && a.normal.z == b.normal.z && a.offset == b.offset;
+}
+
+/// The same fences at the same times: files have surfaces of one volume as zones of their own.
+bool are_same(const AirspaceEntry& a, const AirspaceEntry& b) {
+  const auto same_fence = [](const FittedFence& f, const FittedFence& g) {
+    return f.kind == g.kind && std::equal(f.planes.begin(), f.planes.end(), g.planes.begin(), g.planes.end(),
+                                          [](const auto& p, const auto& q) { return are_same(p, q); });
+  };
+  const auto same_span = [](const TimeSpan& s, const TimeSpan& t) { return s.from == t.from && s.until == t.until; };
+  return std::equal(a.spans.begin(), a.spans.end(), b.spans.begin(), b.spans.end(), same_span) &&
+         std::equal(a.fit.fences.begin(), a.fit.fences.end(), b.fit.fences.begin(), b.fit.fences.end(), same_fence);
+}
+
 class AirspaceMaker {
  public:
   AirspaceMaker(const std::vector<AirspaceFile>& files, const AirspaceSettings& settings)
@@ -109,7 +124,13 @@ class AirspaceMaker {
     }
     entry.fit = fit_zone(entry.zone, *heights_, settings_.fit);
     if (entry.fit.fences.empty()) {
-      entry.left_out = entry.zone.kind == ZoneKind::kKeepIn ? "holds all of the boundary" : "not at the boundary";
+      const bool keeps_in = entry.zone.kind == ZoneKind::kKeepIn;
+      entry.left_out = keeps_in ? "holds all of the boundary" : entry.fit.flat ? "has no area" : "not at the boundary";
+    }
+    for (const AirspaceEntry& other : out_.entries) {
+      if (entry.fit.fences.empty() || !are_same(entry, other)) continue;
+      entry.left_out = "as " + printable(other.zone.name) + ", " + other.zone.place;
+      entry.fit.fences.clear();
     }
   }
 

@@ -43,6 +43,7 @@ class ZoneFit {
                                      : "its outline crosses itself: all that it goes around is closed");
     }
     for (const ConvexPiece& piece : pieces) out_.area += piece.area;
+    out_.flat = pieces.empty() && has_corner_within();
     if (keeps_in_) {
       keep_in(pieces);
     } else {
@@ -77,6 +78,16 @@ class ZoneFit {
     }
     slack_ = std::max(slack_, ring.slack);
     if (!ring.corners.empty()) outlines_.push_back({std::move(ring.corners), layer});
+  }
+
+  /// Of the outlines, not of where they were cut off.
+  bool has_corner_within() const {
+    const double reach = window_.reach / kStep - 1.0;
+    return std::any_of(outlines_.begin(), outlines_.end(), [reach](const Outline& outline) {
+      return std::any_of(outline.corners.begin(), outline.corners.end(), [reach](const Corner& c) {
+        return std::fabs(static_cast<double>(c.x)) < reach && std::fabs(static_cast<double>(c.y)) < reach;
+      });
+    });
   }
 
   /// On the safe side where an outline goes around a place more than once, or both ways.
