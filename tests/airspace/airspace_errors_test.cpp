@@ -114,6 +114,10 @@ TEST(AirspaceErrors, OfKml) {
   expect_error(spoiled("zones.kml", "8.554,47.352,100", "47.352,98.554"), "the latitude 98.554 is beyond 90");
   expect_error(spoiled("zones.kml", "2026-03-02</begin>", "March</begin>"),
                "bad.json:8: in 'begin': 'March' is neither");
+  expect_error(spoiled("zones.kml", "<innerBoundaryIs>", "<outerBoundaryIs>"), "not XML");
+  std::string twice = spoiled("zones.kml", "<innerBoundaryIs>", "<outerBoundaryIs>");
+  twice.replace(twice.find("</innerBoundaryIs>"), 18, "</outerBoundaryIs>");
+  expect_error(twice, "bad.json:16: in 'outerBoundaryIs': a Polygon has one outerBoundaryIs");
   expect_error("PK\x03\x04", "not a KMZ archive");
   expect_error(content("zones.kmz").substr(0, 300), "not a KMZ archive");
 }

@@ -105,6 +105,16 @@ TEST(Airspace, WritesRecordsOfAScenario) {
   }
 }
 
+TEST(Airspace, ListsRingsThatAreNoPolygons) {
+  const AirspaceFile file = tern_host::parse_airspace(
+      "<kml><Placemark><name>Ring</name><LinearRing><coordinates>8,47 9,47 "
+      "9,48</coordinates></LinearRing></Placemark></kml>",
+      "ring.kml");
+  EXPECT_TRUE(file.zones.empty());
+  ASSERT_EQ(file.left_out.size(), 1u);
+  EXPECT_EQ(file.left_out[0], "Ring, ring.kml:1: a LinearRing has no area");
+}
+
 TEST(Airspace, SaysWhatItHasAlready) {
   const AirspaceFile file = tern_host::parse_airspace(content("zones.kml"), "zones.kml");
   const Airspace once = tern_host::make_airspace({file}, lake_settings());

@@ -113,6 +113,14 @@ TEST(ZoneTimes, SpansThatTouchAreOne) {
   EXPECT_EQ(instant_text(spans[1].until), "2200-01-01T00:00:00Z");
 }
 
+TEST(ZoneTimes, RefusesAnEndBeforeTheBeginning) {
+  Applicability when;
+  when.from = at("2026-03-02T09:00:00Z");
+  when.until = at("2026-03-02T08:00:00Z");
+  EXPECT_THROW(tern_host::spans_of({when}, {at("2026-03-02T00:00:00Z"), at("2026-03-03T00:00:00Z")}, {}),
+               std::invalid_argument);
+}
+
 TEST(ZoneTimes, EventsAreAsGiven) {
   Applicability when;
   DaySchedule part = weekdays("00:00Z", "00:00Z");

@@ -139,7 +139,8 @@ class AirspaceMaker {
       const Plan2 at = heights_->frame().plan(p.point);
       try {
         const HeightRange z = heights_->local(p.height, {at, at});
-        to.push_back({{at.east, at.north, 0.5 * (z.low + z.high)}, p.tolerance, p.dwell});
+        // Not lower than the file says, wherever the ground is.
+        to.push_back({{at.east, at.north, z.high}, p.tolerance, p.dwell});
       } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("point " + std::to_string(to.size() + 1) + " of the mission: " + error.what());
       }

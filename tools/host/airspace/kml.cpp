@@ -96,10 +96,12 @@ class KmlReader {
     zone.place = place(node);
     zone.edges = EdgeRule::kEither;
     read_times(node, zone);
-    for (const pugi::xml_node& shape : all_below(node, {"Polygon", "Point", "LineString", "Track", "Model"})) {
+    for (const pugi::xml_node& shape :
+         all_below(node, {"Polygon", "Point", "LineString", "LinearRing", "Track", "Model"})) {
+      const std::string parent = local_name(shape.parent());
       if (local_name(shape) == "Polygon") {
         polygon(shape, zone);
-      } else {
+      } else if (parent != "outerBoundaryIs" && parent != "innerBoundaryIs") {
         file_.left_out.push_back(zone.name + ", " + place(shape) + ": a " + local_name(shape) + " has no area");
       }
     }
@@ -159,6 +161,7 @@ class KmlReader {
     if (!outer) refuse(node, "the outerBoundaryIs is missing");
     area.ring = ring(outer, highest);
     for (const pugi::xml_node& c : node.children()) {
+      if (local_name(c) == "outerBoundaryIs" && c != outer) refuse(c, "a Polygon has one outerBoundaryIs");
       if (local_name(c) == "innerBoundaryIs") area.holes.push_back(ring(c, ignored));
     }
     zone.areas.push_back(area);

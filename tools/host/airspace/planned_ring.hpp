@@ -17,7 +17,6 @@ namespace tern_host {
 struct Window {
   double reach;
 };
-constexpr double kMostReach = 16000.0;
 
 /// A closed outline, in steps. Within the window, it winds around every place as the original does, but for places no
 /// farther from it than `slack`, metres; beyond the window, it is cut off or anything. Empty: it is nowhere near.

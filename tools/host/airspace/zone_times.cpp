@@ -178,6 +178,9 @@ std::vector<TimeSpan> spans_of(const std::vector<Applicability>& applicability, 
   const TimeSpan all{days_to(kFirstYear, 1, 1) * kDay, days_to(kLastYear, 1, 1) * kDay};
   std::vector<TimeSpan> spans;
   for (const Applicability& when : applicability) {
+    if (when.from && when.until && *when.until < *when.from) {
+      throw std::invalid_argument("it ends at " + instant_text(*when.until) + ", before it begins");
+    }
     if (when.schedule.empty()) {
       const TimeSpan span{when.from.value_or(all.from), when.until.value_or(all.until)};
       if (span.from < span.until) spans.push_back(span);

@@ -60,7 +60,7 @@ struct Applicability {
 };
 
 /// The spans that meet `horizon`, in order; those that overlap or touch are one. A span without end lasts until 2200.
-/// Throws std::invalid_argument where an event is not among `events`.
+/// Throws std::invalid_argument where one ends before it begins, or an event is not among `events`.
 std::vector<TimeSpan> spans_of(const std::vector<Applicability>& applicability, const TimeSpan& horizon,
                                const DayEvents& events);
 
