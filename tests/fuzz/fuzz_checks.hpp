@@ -24,15 +24,19 @@ std::string check_depth(const std::uint8_t* data, std::size_t size);
 std::string check_record(const std::uint8_t* data, std::size_t size);
 /// A grid and a request of any numbers: a plan from start to goal, or a status and an untouched output.
 std::string check_request(const std::uint8_t* data, std::size_t size);
+/// Zones in any format that is read: fences of finite numbers, or an error with file or reason. Where there is no
+/// `tern airspace`, it is no target.
+std::string check_airspace(const std::uint8_t* data, std::size_t size);
 
 struct Target {
   const char* name;  ///< of its corpus, too
   Check check;
 };
-constexpr Target kTargets[] = {{"scenario", check_scenario},
-                               {"solve", check_solve},
-                               {"depth", check_depth},
-                               {"record", check_record},
+constexpr Target kTargets[] = {{"scenario", check_scenario}, {"solve", check_solve},
+                               {"depth", check_depth},       {"record", check_record},
+#ifdef TERN_HAS_AIRSPACE
+                               {"airspace", check_airspace},
+#endif
                                {"request", check_request}};
 
 }  // namespace tern_fuzz

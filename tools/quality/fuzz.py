@@ -16,7 +16,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ENTRIES = ["scenario", "solve", "depth", "record", "request"]
+ENTRIES = ["scenario", "solve", "depth", "record", "request", "airspace"]
 COLUMNS = ["entry", "date", "seed", "seconds", "inputs", "coverage edges", "corpus", "found wrong"]
 LONGEST = 4096  # bytes of an input
 KEPT = 40       # files that a merge chooses for a corpus, at most
