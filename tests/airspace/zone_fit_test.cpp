@@ -125,6 +125,19 @@ TEST(ZoneFit, ThePentagramIsClosedAndItsMiddleIsNoPlaceToStay) {
   }
 }
 
+TEST(ZoneFit, AShallowDentIsFilledAndSaid) {
+  for (const ZoneKind kind : {ZoneKind::kKeepOut, ZoneKind::kKeepIn}) {
+    ZoneCase c = square_case(kind, {});
+    c.zone.areas[0].ring.push_back(c.frame.point({-99.6, 0.0}));  // 0.4 m within the western side
+    const FittedZone fitted = tern_host::fit_zone(c.zone, c.heights, c.settings);
+    EXPECT_EQ(fitted.fences.size(), 1u);
+    EXPECT_NEAR(fitted.off, 0.4, 0.01);
+    EXPECT_FALSE(allowed(fitted, {-99.7, 0.0, 50.0}));
+    c.settings.looseness = 0.7;
+    EXPECT_EQ(tern_host::fit_zone(c.zone, c.heights, c.settings).fences.size(), 2u);
+  }
+}
+
 TEST(ZoneFit, AFlatZoneIsNotElsewhere) {
   ZoneCase c = square_case(ZoneKind::kKeepOut, {});
   c.zone.areas[0].ring = {{47.0, 8.0}, {47.001, 8.0}, {47.0, 8.0}};
