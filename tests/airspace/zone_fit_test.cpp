@@ -4,6 +4,7 @@
 // Heights, refusals and notes of zones that are fitted, by hand.
 #include <gtest/gtest.h>
 
+#include <GeographicLib/Geodesic.hpp>
 #include <GeographicLib/Geoid.hpp>
 #include <fstream>
 #include <stdexcept>
@@ -15,6 +16,32 @@
 namespace {
 
 using namespace tern_test;
+
+/// Metres along the ellipsoid.
+double geodesic(const GeoPoint& a, const GeoPoint& b) {
+  double length = 0.0;
+  GeographicLib::Geodesic::WGS84().Inverse(a.latitude, a.longitude, b.latitude, b.longitude, length);
+  return length;
+}
+
+TEST(ZoneFit, AFarCircleIsCoveredAlthoughTheFrameStretchesIt) {
+  ZoneCase c = square_case(ZoneKind::kKeepOut, {});
+  c.settings.boundary = {{-7000.0, -1000.0, 0.0}, {7000.0, 1000.0, 150.0}};
+  ZoneArea circle;
+  circle.centre = c.frame.point({0.0, 100000.0});
+  circle.radius = 100000.0;
+  c.zone.areas = {circle};
+  const FittedZone fitted = tern_host::fit_zone(c.zone, c.heights, c.settings);
+  for (int i = -1000; i <= 1000; ++i) {
+    // Just within the circle, at its southern side, by bisection.
+    double outside = -900.0, inside = 900.0;
+    while (inside - outside > 1e-6) {
+      const double middle = 0.5 * (outside + inside);
+      (geodesic(circle.centre, c.frame.point({7.0 * i, middle})) < circle.radius - 1e-3 ? inside : outside) = middle;
+    }
+    EXPECT_FALSE(allowed(fitted, {7.0 * i, inside, 50.0})) << i;
+  }
+}
 
 /// The lowest and highest z that a fence has above a place.
 std::pair<double, double> heights_of(const FittedFence& fence) {
