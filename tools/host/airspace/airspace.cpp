@@ -49,7 +49,7 @@ const Itinerary* home_mission(const std::vector<AirspaceFile>& files) {
 }
 
 GeoPosition origin_of(const AirspaceSettings& settings, const Itinerary* mission) {
-  const double height = settings.height.value_or(NAN);
+  const double height = settings.height.value_or(std::nan(""));
   if (settings.origin) return {*settings.origin, height};
   if (mission != nullptr) return {*mission->home, height};
   throw std::invalid_argument("the origin of the frame is not known: give --origin LATITUDE LONGITUDE");

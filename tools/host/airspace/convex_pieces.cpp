@@ -143,7 +143,7 @@ std::int64_t whole(const Level& level, bool upwards) {
 }
 
 ConvexPiece::Vertex vertex(const Edge& edge, const Level& level) {
-  return {static_cast<double>(rounded_x(edge, level) * kStep), static_cast<double>(rounded(level) * kStep)};
+  return {static_cast<double>(rounded_x(edge, level)) * kStep, static_cast<double>(rounded(level)) * kStep};
 }
 
 double area_of(const std::vector<ConvexPiece::Vertex>& v) {

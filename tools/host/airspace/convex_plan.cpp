@@ -34,7 +34,7 @@ tern::Halfspace unit_plane(const Side& side) {
   const long double a = static_cast<long double>(side.a), b = static_cast<long double>(side.b);
   const long double norm = std::sqrt(a * a + b * b);
   return {{static_cast<double>(a / norm), static_cast<double>(b / norm), 0.0},
-          static_cast<double>(static_cast<long double>(side.c) * kStep / norm)};
+          static_cast<double>(static_cast<long double>(side.c) / norm) * kStep};
 }
 
 bool holds_box(const tern::Halfspace& plane, const PlanBox& box) {
@@ -84,7 +84,7 @@ std::vector<Corner> fewer_corners(const std::vector<Corner>& corners, std::size_
   std::vector<Corner> left = corners;
   while (left.size() > most) {
     std::size_t flattest = 0;
-    double least = INFINITY;
+    double least = HUGE_VAL;
     for (std::size_t i = 0; i < left.size(); ++i) {
       const double height = height_of(left[(i + left.size() - 1) % left.size()], left[i], left[(i + 1) % left.size()]);
       if (height >= least) continue;
@@ -107,7 +107,7 @@ double beyond(const Side& side, const ConvexPiece::Vertex& point) {
 }
 
 double depth_within(const ConvexPiece& piece, const ConvexPiece& polygon) {
-  double depth = INFINITY;
+  double depth = HUGE_VAL;
   for (const Side& side : polygon.sides) {
     double deepest = 0.0;
     for (const ConvexPiece::Vertex& v : piece.vertices) deepest = std::max(deepest, -beyond(side, v));
@@ -147,7 +147,7 @@ std::vector<tern::Halfspace> upright_planes(const ConvexPiece& piece, double by,
     // difference is the better measure.
     const double dx = plane.normal.x - next.normal.x, dy = plane.normal.y - next.normal.y;
     const double norm = std::hypot(dx, dy);
-    tern::Halfspace bevel{{-dy / norm, dx / norm, 0.0}, -INFINITY};
+    tern::Halfspace bevel{{-dy / norm, dx / norm, 0.0}, -HUGE_VAL};
     for (const ConvexPiece::Vertex& v : piece.vertices) {
       bevel.offset = std::max(bevel.offset, bevel.normal.x * v.x + bevel.normal.y * v.y);
     }

@@ -183,7 +183,7 @@ bool goes_around(const std::vector<GeoPoint>& ring, const GeoPoint& point) {
 
 /// True if the ring is nowhere near. Throws where the frame does not say what it goes around.
 bool is_elsewhere(const LocalFrame& frame, const std::vector<GeoPoint>& ring) {
-  double nearest = INFINITY, farthest = 0.0;
+  double nearest = HUGE_VAL, farthest = 0.0;
   for (const GeoPoint& corner : ring) {
     const double distance = length(frame.plan(corner));
     nearest = std::min(nearest, distance);

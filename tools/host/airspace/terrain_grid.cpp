@@ -22,7 +22,7 @@ bool corner_of(const std::string& path, double& south, double& west) {
   if (name.size() < 7) return false;
   const char ns = name[0], ew = name[3];
   if ((ns != 'N' && ns != 'S') || (ew != 'E' && ew != 'W')) return false;
-  for (const std::size_t digit : {1, 2, 4, 5, 6}) {
+  for (const std::size_t digit : {1u, 2u, 4u, 5u, 6u}) {
     if (name[digit] < '0' || name[digit] > '9') return false;
   }
   south = (ns == 'N' ? 1.0 : -1.0) * std::stoi(name.substr(1, 2));

@@ -39,8 +39,8 @@ std::shared_ptr<const GeographicLib::Geoid> open_geoid(const std::string& file) 
 
 /// The box in degrees, with the earth's roundness: the extremes lie on its border, or on the meridian of the origin.
 void degrees_of(const LocalFrame& frame, const PlanBox& box, GeoPoint& south_west, GeoPoint& north_east) {
-  south_west = {INFINITY, INFINITY};
-  north_east = {-INFINITY, -INFINITY};
+  south_west = {HUGE_VAL, HUGE_VAL};
+  north_east = {-HUGE_VAL, -HUGE_VAL};
   const double centre = frame.origin().point.longitude;
   for (int i = 0; i < kSamples; ++i) {
     for (int k = 0; k < kSamples; ++k) {
@@ -83,7 +83,7 @@ double ZoneHeights::undulation_at(const GeoPoint& point) const {
 
 HeightRange ZoneHeights::undulation(const PlanBox& box) const {
   if (sources_.undulation) return {*sources_.undulation, *sources_.undulation};
-  HeightRange range{INFINITY, -INFINITY};
+  HeightRange range{HUGE_VAL, -HUGE_VAL};
   const double east = (box.upper.east - box.lower.east) / (kSamples - 1);
   const double north = (box.upper.north - box.lower.north) / (kSamples - 1);
   for (int i = 0; i < kSamples; ++i) {
@@ -100,7 +100,7 @@ HeightRange ZoneHeights::ground(const PlanBox& box) const {
   if (terrain_ != nullptr) {
     GeoPoint south_west{}, north_east{};
     degrees_of(frame_, box, south_west, north_east);
-    HeightRange range{INFINITY, -INFINITY};
+    HeightRange range{HUGE_VAL, -HUGE_VAL};
     terrain_->widen(south_west, north_east, range.low, range.high);
     return range;
   }
