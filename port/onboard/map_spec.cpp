@@ -56,6 +56,9 @@ tern::FlightSpec flight_spec_of(const Settings& settings) {
   spec.yaw_rate = s.yaw_rate;
   spec.stale_after = std::llround(1e9 * settings.watch.stale_after);
   spec.sensor.horizontal = s.field_of_view > 0.0 ? s.field_of_view : kAllAround;
+  spec.sensor.vertical = s.view_height;
+  spec.sensor.pitch_min = spec.sensor.pitch_max = s.view_pitch;
+  spec.sensor.raised = s.view_raised;
   return spec;
 }
 

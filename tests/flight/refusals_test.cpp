@@ -90,6 +90,7 @@ TEST(FlightRefusals, SensorsThatSeeNothingOrCannotBe) {
   EXPECT_EQ(with([](FlightSensor& s) { s.vertical = 0.0; }), refused);
   EXPECT_EQ(with([](FlightSensor& s) { s.pitch_max = -0.1; }), refused);
   EXPECT_EQ(with([](FlightSensor& s) { s.pitch_max = 1.51; }), refused);
+  EXPECT_EQ(with([](FlightSensor& s) { s.raised = -1.51; }), refused);
   EXPECT_EQ(with([](FlightSensor& s) { s.pitch_min = -1.5; }), kStarts);
   EXPECT_EQ(with([](FlightSensor& s) { s.pitch_min = -1.51; }), refused);
   EXPECT_EQ(with([](FlightSensor& s) { s.nearest = -0.1; }), refused);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/flight/flight_specs.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/text_records.hpp"
 #include "support/world_refusal.hpp"
@@ -85,6 +86,16 @@ TEST(FlightSettings, AD435IsFixedToTheBody) {
   EXPECT_NEAR(s.fov_horizontal, 1.5184, 1e-4);
   EXPECT_NEAR(s.fov_vertical, 1.0123, 1e-4);
   EXPECT_EQ(s.sensor_hz, 30.0);
+}
+
+TEST(FlightSettings, ALivoxIsPitchedForward) {
+  const tern_host::FlightSettings s = tern_host::flight_settings({"sensor=livox"});
+  EXPECT_EQ(s.sensor, "lidar");
+  EXPECT_EQ(s.mount.kind, "body");
+  EXPECT_EQ(s.mount.pitch, -0.35);
+  const tern::FlightSensor sensor = tern_host::flight_sensor_of(s);
+  EXPECT_NEAR(sensor.raised - 0.5 * sensor.vertical, -0.1222, 1e-4);  // 7 degrees below its level
+  EXPECT_NEAR(sensor.raised + 0.5 * sensor.vertical, 0.9076, 1e-4);   // and 52 above it
 }
 
 /// Why a world with these further lines is refused.

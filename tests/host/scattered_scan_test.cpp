@@ -20,7 +20,7 @@ using tern_host::Noise;
 FlightWorld room() {
   FlightWorld world;
   world.boundary = {{-4.0, -5.0, 0.0}, {6.0, 5.0, 3.0}};
-  world.settings = tern_host::flight_settings({"sensor=livox"});
+  world.settings = tern_host::flight_settings({"sensor=livox", "mount=level", "mount_pitch=0"});
   return world;
 }
 

@@ -116,6 +116,39 @@ TEST(LookoutOptics, AScannerSeesARing) {
   EXPECT_FALSE(half.in_view(pose, {-5.0, 0.0, 0.0}));
 }
 
+/// Random cubes that a scanner sees have all corners between its lowest and its highest beams.
+TEST(LookoutOptics, AScannerMayBeRaised) {
+  Random random(6);
+  int seen = 0;
+  int missed = 0;
+  for (int n = 0; n < scaled(4000); ++n) {
+    FlightSensor sensor = kLevelCamera;
+    sensor.horizontal = 6.283185307179586;
+    sensor.vertical = random.real(0.5, 1.2);
+    sensor.raised = random.real(-1.0, 1.0);
+    const Optics optics(sensor, plain_map());
+    const Vec3 centre{random.real(-8.0, 8.0), random.real(-8.0, 8.0), random.real(-5.0, 5.0)};
+    const SensorPose pose = optics.pose({0.0, 0.0, 0.0}, {1.0, 0.0}, centre);
+    const double middle = std::atan2(centre.z, std::hypot(centre.x, centre.y));
+    const bool is_deep = std::abs(middle - sensor.raised) < 0.5 * sensor.vertical - 0.3 && std::abs(middle) < 1.0 &&
+                         std::hypot(centre.x, centre.y, centre.z) < 9.0 && std::hypot(centre.x, centre.y) > 1.5;
+    if (!optics.in_view(pose, centre)) {
+      EXPECT_FALSE(is_deep) << n;
+      ++missed;
+      continue;
+    }
+    ++seen;
+    for (int k = 0; k < 8; ++k) {
+      const double z = centre.z + (k / 4 == 0 ? -0.125 : 0.125);
+      const double flat =
+          std::hypot(centre.x + (k % 2 == 0 ? -0.125 : 0.125), centre.y + (k / 2 % 2 == 0 ? -0.125 : 0.125));
+      EXPECT_LE(std::abs(std::atan2(z, flat) - sensor.raised), 0.5 * sensor.vertical + 1e-12) << n;
+    }
+  }
+  EXPECT_GT(seen, scaled(4000) / 50);
+  EXPECT_GT(missed, scaled(4000) / 50);
+}
+
 /// Cubes whose corners are all in view and within the range are in view, and only those.
 TEST(LookoutOptics, SeesWholeCubes) {
   Random random(5);

@@ -30,6 +30,7 @@ extern "C" {
 typedef struct {
   double horizontal, vertical, pitch_min, pitch_max, nearest;
   tern_vec3 offset;
+  double raised;
 } tern_flight_sensor;
 /* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
 typedef struct {

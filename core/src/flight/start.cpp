@@ -43,7 +43,7 @@ Verdict check_finite(const FlightSpec& spec) {
   if (!finite(spec.near)) return {Status::kNonFiniteInput, Field::kNear};
   if (!finite(spec.yaw_rate)) return {Status::kNonFiniteInput, Field::kYawRate};
   const FlightSensor& s = spec.sensor;
-  const bool sees = finite({s.horizontal, s.vertical, s.nearest}) && finite({s.pitch_min, s.pitch_max, 0.0});
+  const bool sees = finite({s.horizontal, s.vertical, s.nearest}) && finite({s.pitch_min, s.pitch_max, s.raised});
   return sees && finite(s.offset) ? kAccepted : Verdict{Status::kNonFiniteInput, Field::kSensor};
 }
 
@@ -51,7 +51,7 @@ bool sensor_valid(const FlightSensor& sensor) {
   const bool sees = sensor.horizontal > 0.0 && sensor.horizontal <= kFullTurn && sensor.vertical > 0.0 &&
                     sensor.vertical <= kWidestVertical && sensor.nearest >= 0.0;
   return sees && sensor.pitch_min >= -kSteepestPitch && sensor.pitch_max <= kSteepestPitch &&
-         sensor.pitch_min <= sensor.pitch_max;
+         sensor.pitch_min <= sensor.pitch_max && absolute(sensor.raised) <= kSteepestPitch;
 }
 
 Verdict check_ranges(const FlightSpec& spec) {

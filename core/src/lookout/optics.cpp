@@ -24,7 +24,8 @@ constexpr double kHalfDiagonal = 0.8660254037844386;
 
 double tangent_of(double angle) {
   const Heading at = heading_of(angle);
-  return at.sine < kSteepest * at.cosine ? at.sine / at.cosine : kSteepest;
+  if (absolute(at.sine) < kSteepest * at.cosine) return at.sine / at.cosine;
+  return at.sine < 0.0 ? -kSteepest : kSteepest;
 }
 
 /// Half of a cube's extent along a unit vector, in edges.
@@ -56,6 +57,8 @@ Optics::Optics(const FlightSensor& sensor, const MapSpec& map) noexcept
       cosine_side_(heading_of(0.5 * sensor.horizontal).cosine),
       tangent_low_(tangent_of(sensor.pitch_min)),
       tangent_high_(tangent_of(sensor.pitch_max)),
+      tangent_bottom_(tangent_of(sensor.raised - 0.5 * sensor.vertical)),
+      tangent_top_(tangent_of(sensor.raised + 0.5 * sensor.vertical)),
       cell_(map.cell),
       range_(map.range),
       margin_(map.depth_margin),
@@ -99,7 +102,10 @@ bool Optics::in_ring(const SensorPose& pose, const Vec3& way, double grown) cons
   if (far - reach < sensor_.nearest || far + reach + margin_ + margin_square_ * far * far > range_) return false;
   const double down = dot(way, pose.down);
   const double level = square_root(larger(0.0, far * far - down * down));
-  if (absolute(down) + reach > tangent_down_ * (level - reach)) return false;
+  // The part of the cube that is nearest to the bottom of the view, and to its top.
+  const double low = tangent_bottom_ < 0.0 ? level - reach : level + reach;
+  const double high = tangent_top_ > 0.0 ? level - reach : level + reach;
+  if (-down - reach < tangent_bottom_ * low || -down + reach > tangent_top_ * high) return false;
   return sensor_.horizontal >= 2.0 * kPi - 1e-3 || dot(way, pose.ahead) - reach >= cosine_side_ * level;
 }
 

@@ -53,6 +53,8 @@ class Optics {
   double cosine_side_ = 0.0;  ///< of half the horizontal angle
   double tangent_low_ = 0.0;  ///< of the axis' lowest and highest pitch
   double tangent_high_ = 0.0;
+  double tangent_bottom_ = 0.0;  ///< of a scanner's lowest and highest beams
+  double tangent_top_ = 0.0;
   double cell_ = 0.0;
   double range_ = 0.0;
   double margin_ = 0.0;  ///< of depths, as MapSpec::depth_margin and depth_margin_square

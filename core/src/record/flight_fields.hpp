@@ -124,6 +124,7 @@ void list_flight_spec(Words& words, Spec& spec) {
   words(spec.sensor.pitch_max);
   words(spec.sensor.nearest);
   words(spec.sensor.offset);
+  words(spec.sensor.raised);
 }
 
 template <typename Words, typename AnyHeading>

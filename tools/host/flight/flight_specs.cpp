@@ -9,6 +9,7 @@
 
 #include "host/flight/clear_ends.hpp"
 #include "host/flight/full_knowledge.hpp"
+#include "host/flight/lidar.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -56,6 +57,7 @@ tern::FlightSensor flight_sensor_of(const FlightSettings& s) {
   sensor.pitch_max = std::clamp(s.mount.pitch + s.mount.gimbal_high, sensor.pitch_min, 1.5);
   sensor.nearest = s.sensor_min;
   sensor.offset = s.mount.offset;
+  if (is_lidar && s.beams > 0) sensor.raised = kScatteredRaised;
   return sensor;
 }
 

@@ -26,6 +26,9 @@ struct LidarScan {
   tern::Vec3 point(std::size_t beam, double distance) const;
 };
 
+/// The middle of the view of scattered beams is so far above the lidar's level, rad: of -7 and 52 degrees.
+constexpr double kScatteredRaised = 0.39269908169872414;
+
 /// The beams of a scan.
 std::size_t beam_count(const FlightSettings& settings);
 

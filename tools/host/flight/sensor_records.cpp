@@ -54,9 +54,12 @@ void set_d435(FlightSettings& s) {
   s.sensor_min = 0.28;
 }
 
-/// A Livox Mid-360, level or as it is mounted. Its beams are at most 0.35 of these pixels from any direction.
+/// A Livox Mid-360, pitched forward: level, it hardly sees below itself. Its beams are at most 0.35 of these pixels
+/// from any direction.
 void set_livox(FlightSettings& s) {
   s.sensor = "lidar";
+  s.mount.kind = "body";
+  s.mount.pitch = -0.35;
   s.beams = 20000;
   s.scan_pixel = 0.06;
   s.fov_horizontal = kAllAround;

@@ -49,6 +49,9 @@ struct FlySettings {
   double yaw_rate = 1.0;
   double yaw_acceleration = 2.0;
   double field_of_view = 1.2;
+  double view_height = 1.0;
+  double view_pitch = 0.0;
+  double view_raised = 0.0;
   double tick_rate = 100.0;
   double work_per_tick = 4000;
   double plan_work = 16000;
