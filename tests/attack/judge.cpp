@@ -70,6 +70,8 @@ bool fits_budget(const Ask& ask, Status status) {
       return b.corridor != kNone;
     case Status::kBudgetOptimise:
       return b.trajectory != kNone && (!ask.rest_to_rest() || ask.hurries());
+    case Status::kBudgetTracks:
+      return b.tracks != kNone;
     default:
       return true;
   }

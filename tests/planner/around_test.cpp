@@ -215,5 +215,35 @@ TEST_F(Scenes, ReplansArriveNoLater) {
   EXPECT_GT(kept, 0);
 }
 
+/// A tunnel that a ball comes out of: only the flood knows to wait in front of it. With less work than that takes,
+/// there is no plan, or a worse one; the work never exceeds the budget by more than a piece.
+TEST_F(Scenes, TheBudgetOfTracksEndsTheSearch) {
+  dig_tunnel();
+  const std::vector<Track> tracks{ball({16.0, 5.0, 1.5}, {-1.0, 0.0, 0.0})};
+  const double best = plan(tracks);
+  ASSERT_GT(best, 0.0);
+  constexpr int kTracks = static_cast<int>(tern::Stage::kTracks);
+  const auto need = static_cast<std::uint32_t>(world_.report.diagnostics.stages[kTracks].work);
+  ASSERT_GT(need, 10u);
+  int refused = 0;
+  for (std::uint32_t k = 0; k <= 20; ++k) {
+    world_.request.budget.tracks = k * need / 20;
+    const Status status = world_.replan();
+    const tern::StageReport& stage = world_.report.diagnostics.stages[kTracks];
+    EXPECT_LE(stage.work, stage.bound);
+    EXPECT_TRUE(status == Status::kOk || status == Status::kBudgetTracks) << k << ' ' << static_cast<int>(status);
+    if (status == Status::kOk) {
+      EXPECT_EQ(finding_from(0.0), tern::Finding::kNone);
+    } else {
+      EXPECT_EQ(world_.report.track, 0);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  world_.request.budget.tracks = need;
+  EXPECT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(tern::duration(world_.trajectory), best);
+}
+
 }  // namespace
 }  // namespace tern_test

@@ -154,6 +154,7 @@ TEST(CInterface, EveryStatusHasItsConstant) {
       {TERN_BUDGET_SEARCH, "budget_search"},
       {TERN_BUDGET_SHORTCUT, "budget_shortcut"},
       {TERN_BUDGET_CORRIDOR, "budget_corridor"},
+      {TERN_BUDGET_TRACKS, "budget_tracks"},
       {TERN_BUDGET_OPTIMISE, "budget_optimise"},
   };
   for (const auto& constant : constants) {

@@ -98,6 +98,9 @@ struct Budget {
   /// The trajectory. Beyond it, the answer is the best plan so far, or stop-and-go if there is none yet;
   /// Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
   uint32_t trajectory = 0xFFFFFFFFu;
+  /// Ways and times among things that move. Beyond it, no other one is tried: the answer is the best plan so far, or
+  /// kBudgetTracks if there is none.
+  uint32_t tracks = 0xFFFFFFFFu;
 };
 
 /// How the search finds a path over the grid. Any other number is refused (kInvalidArgument, field kSearch). In both

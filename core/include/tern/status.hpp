@@ -163,6 +163,7 @@ enum class Status : uint8_t {
   kBudgetCorridor = 92,  ///< Budget::corridor
   /// Budget::trajectory. Only as Report::optimiser: the plan is the best so far, or stop-and-go.
   kBudgetOptimise = 93,
+  kBudgetTracks = 94,  ///< Budget::tracks: there may be a way or a time that is clear of the things that move
 };
 
 /// The stages of a plan. The first seven make a plan, in this order. The others are for requests with fences, and for

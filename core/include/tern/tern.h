@@ -80,7 +80,7 @@ typedef struct {
 } tern_limits;
 /* Units of work that a plan may spend in each stage, about a thousand instructions each: tern/request.hpp. UINT32_MAX
  * means no limit but the stage's own bound. */
-typedef struct { uint32_t search, shortcut, corridor, trajectory; } tern_budget;
+typedef struct { uint32_t search, shortcut, corridor, trajectory, tracks; } tern_budget;
 /* All points p with normal . p <= offset: tern/halfspace.hpp. */
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
 /* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces that the caller owns; world frame. */
@@ -281,7 +281,8 @@ typedef enum {
   TERN_BUDGET_SEARCH = 90,
   TERN_BUDGET_SHORTCUT = 91,
   TERN_BUDGET_CORRIDOR = 92,
-  TERN_BUDGET_OPTIMISE = 93
+  TERN_BUDGET_OPTIMISE = 93,
+  TERN_BUDGET_TRACKS = 94
 } tern_status;
 
 /* The sizes that tern_size_of() knows, in bytes. */

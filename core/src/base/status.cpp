@@ -67,6 +67,7 @@ const char* status_name(Status status) noexcept {
     case Status::kBudgetShortcut: return "budget_shortcut";
     case Status::kBudgetCorridor: return "budget_corridor";
     case Status::kBudgetOptimise: return "budget_optimise";
+    case Status::kBudgetTracks: return "budget_tracks";
   }
   return "unknown";
 }
@@ -132,6 +133,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kBudgetShortcut: return "the budget of the shortcut ran out";
     case Status::kBudgetCorridor: return "the budget of the corridor ran out";
     case Status::kBudgetOptimise: return "the budget of the trajectory ran out";
+    case Status::kBudgetTracks: return "the budget of ways among things that move ran out";
   }
   return "not a status of this version";
 }

@@ -21,7 +21,7 @@ double gap(double at, std::int32_t index, double cell) {
 /// True if things that move are why there is no plan.
 bool is_by_track(Status status) {
   return status == Status::kStartInContact || status == Status::kGoalCovered || status == Status::kNoClearTime ||
-         status == Status::kFloodFull || status == Status::kSeparationsFull;
+         status == Status::kFloodFull || status == Status::kSeparationsFull || status == Status::kBudgetTracks;
 }
 
 /// The voxels along an axis that are less than `most` from a coordinate.

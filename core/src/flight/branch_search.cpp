@@ -3,6 +3,7 @@
 #include "flight/branch_search.hpp"
 
 #include "base/math.hpp"
+#include "flight/foresight.hpp"
 
 namespace tern {
 namespace {
@@ -36,7 +37,7 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
       if (!work.left()) return Progress::kMore;
       work.spend(kStopOperations / 2);
       ++candidate;
-      is_proving = make_candidate(flight, start, draft);
+      is_proving = make_candidate(flight, start, draft, work);
       continue;
     }
     if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
@@ -47,11 +48,13 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
 }
 
 /// The candidates begin at the last proven instant and go back in time. All brakes are tried at each instant.
-bool BranchSearch::make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft) const noexcept {
+bool BranchSearch::make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft,
+                                  Work& work) const noexcept {
   const double earliest = earliest_branch(flight, draft);
   const int from_last = candidate / kBranchShapes;
   const double at = off_joints(draft.plan.planned, reached - (reached - earliest) * from_last / kBranches);
   return at > earliest && draft.branch_off(flight, at, candidate % kBranchShapes) && leads_on(flight, start, draft) &&
+         !meets_thing(draft.plan.trajectory, at, draft.plan.tubes, flight.map.safe().spec().clearance(), work) &&
          draft.begin_proof(flight, draft.plan.trajectory, at) == Status::kRunning;
 }
 

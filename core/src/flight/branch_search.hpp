@@ -29,7 +29,7 @@ struct BranchSearch {
   Progress advance(const FlightFacts& flight, const Vec3& start, Draft& draft, Work& work) noexcept;
 
  private:
-  bool make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft) const noexcept;
+  bool make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft, Work& work) const noexcept;
 };
 
 /// True if a draft from `start` leads anywhere: a hop of less than a voxel from rest is no progress.

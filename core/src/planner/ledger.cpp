@@ -81,14 +81,19 @@ Account account_of(Stage stage, const Budget& budget) {
       return {budget.corridor, {Stage::kCorridor, Stage::kPrevious, Stage::kStopFirst}};
     case Stage::kTrajectory:
       return {budget.trajectory, {Stage::kTrajectory, Stage::kRequest, Stage::kRequest}};
+    case Stage::kTracks:
+      return {budget.tracks, {Stage::kTracks, Stage::kRequest, Stage::kRequest}};
     case Stage::kRequest:
     case Stage::kWorld:
     case Stage::kTimes:
     case Stage::kCheck:
-    case Stage::kTracks:
       break;
   }
   return {kNoBudget, {}};
+}
+
+Operations larger_piece(Operations piece, const StageBound& other) {
+  return piece > other.piece ? piece : other.piece;
 }
 
 }  // namespace
@@ -117,7 +122,9 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   if (problem.has_windows && stage == Stage::kCheck) entry.bound += windows_bound().units(times_of(problem).checks);
   if (problem.has_windows && stage == Stage::kTracks) entry.bound += windows_bound().units(kTimedProofs);
   const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;
-  const std::uint64_t within = budget + static_cast<std::uint64_t>(bound.piece) / kUnit + 1;
+  Operations piece = bound.piece;
+  if (stage == Stage::kTracks) piece = larger_piece(piece, timed_bound(problem.thing_count, problem.grid->spec()));
+  const std::uint64_t within = budget + static_cast<std::uint64_t>(piece) / kUnit + 1;
   if (budget != kNoBudget && within < entry.bound) entry.bound = within;
 }
 

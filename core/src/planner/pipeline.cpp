@@ -279,6 +279,9 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
     case Stage::kReach:
       attempts_.nearest.status = Status::kBudgetSearch;
       break;
+    case Stage::kTracks:
+      attempts_.around.lacking = Status::kBudgetTracks;
+      break;
     case Stage::kRequest:
     case Stage::kWorld:
     case Stage::kTimes:
@@ -286,7 +289,6 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
     case Stage::kDetour:
     case Stage::kPrevious:
     case Stage::kStopFirst:
-    case Stage::kTracks:
       break;
   }
   return Progress::kFailed;

@@ -61,7 +61,8 @@ void Pipeline::write(Report& report) const noexcept {
   if (planned) report.track = left_;
   if (planned) report.rest_clear_until = rest_until_;
   if (planned) report.waits = attempts_.waiting.waits;
-  if (status_ != Status::kOk && status_ == conflict_.status) {
+  const bool is_by_track = status_ == conflict_.status || status_ == Status::kBudgetTracks;
+  if (status_ != Status::kOk && is_by_track) {
     report.track = conflict_.track;
     report.fence = conflict_.fence;
     report.conflict = conflict_.until;

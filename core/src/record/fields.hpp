@@ -58,6 +58,7 @@ void list_settings(Words& words, AnyRequest& request) {
   words(request.budget.shortcut);
   words(request.budget.corridor);
   words(request.budget.trajectory);
+  words(request.budget.tracks);
   words(request.search);
   words(request.goal_mode);
   words(request.time_weight);
