@@ -26,6 +26,9 @@ constexpr int kBeams = 314;
 constexpr double kScanPixel = 0.045;  ///< rad: the finest for which the camera's pixels suffice
 constexpr int kRows = 18;
 constexpr std::size_t kPoints = std::size_t{kBeams} * (2 * kRows + 1);
+/// How often things that move are measured, ns, and for how long each goes one way before it turns back.
+constexpr std::int64_t kMeasured = 100000000;
+constexpr std::int64_t kTurns = 4000000000;
 /// A vehicle that comes through so few plans has hardly flown.
 constexpr std::uint32_t kFewCommits = 10;
 
@@ -40,6 +43,7 @@ struct HardFlight {
   Sensor sensor;
   Vec3 start, goal;
   double seconds;
+  std::uint32_t things = 0;  ///< that move, between start and goal
 };
 
 double disturbed(double depth, double range, Dice& dice) {
@@ -127,6 +131,28 @@ void sense(const HardFlight& hard, FlightMemory& memory, tern::RollingMap& map, 
   map.begin_frame(tern_golden::view_of(hard.setting, memory.frame.depths), memory.frame.pose, t);
 }
 
+/// Tells the flight of balls that go to and fro across the way, at 0.25 to 1.5 m/s. Each may do 1 m/s^2.
+void tell(const HardFlight& hard, std::int64_t t, tern::Flight& flight) {
+  Dice dice(4242);
+  for (std::uint32_t id = 0; id < hard.things; ++id) {
+    const std::int64_t phase = (t + static_cast<std::int64_t>(dice.in(0.0, 4.0) * 1e9)) % (2 * kTurns);
+    const double speed = dice.in(0.25, 1.5);
+    const Vec3 middle{dice.in(hard.start.x + 3.0, hard.goal.x), dice.in(-6.0, 6.0), dice.in(0.5, 2.5)};
+    const double side = 1e-9 * static_cast<double>(phase < kTurns ? phase : 2 * kTurns - phase) - 2.0;
+    tern::Track track;
+    track.id = id;
+    track.measured = t;
+    track.position = {middle.x, middle.y + speed * side, middle.z};
+    track.velocity = {0.0, phase < kTurns ? speed : -speed, 0.0};
+    track.radius = 0.3;
+    track.error = 0.05;
+    track.error_speed = 0.1;
+    track.error_growth = 1.0;
+    track.reach = 2.0;
+    flight.update_track(track);
+  }
+}
+
 bool fly(const HardFlight& hard, FlightMemory& memory) {
   const FlightSetting& s = hard.setting;
   tern::RollingMap map;
@@ -145,6 +171,7 @@ bool fly(const HardFlight& hard, FlightMemory& memory) {
       sense(hard, memory, map, flight, t, dice);
       due = t + (hard.sensor == Sensor::kLidar ? 100000000 : 33000000);
     }
+    if (t % kMeasured == 0) tell(hard, t, flight);
     tern::FlightReport report{};
     const std::uint64_t counted = tern_board::counter();
     flight.tick(t, report);
@@ -188,6 +215,7 @@ bool print_hard_flights(FlightMemory& memory) {
       {"flight_storey", storey, full, Sensor::kCamera, corner, other_corner, 16.0},
       {"flight_thicket", thicket, full, Sensor::kCamera, edge, other_edge, 12.0},
       {"flight_lidar", thicket, full, Sensor::kLidar, edge, other_edge, 12.0},
+      {"flight_crowd", thicket, full, Sensor::kCamera, edge, other_edge, 12.0, tern::kMaxFlightTracks},
       {"flight_storey_mcu", storey, small, Sensor::kCamera, corner, other_corner, 16.0},
       {"flight_thicket_mcu", thicket, small, Sensor::kCamera, edge, other_edge, 12.0},
   };

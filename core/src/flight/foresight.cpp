@@ -10,7 +10,7 @@ namespace {
 /// Instants of a plan that are looked at.
 constexpr int kInstants = 6;
 /// Operations of one thing at one instant.
-constexpr Operations kLookOperations = 4 * ops::kDot + ops::kTurn;
+constexpr Operations kLookOperations = 6 * ops::kDot + 2 * ops::kTurn;
 
 Things things_of(const TrackTable& table, double clearance, std::int64_t begin) {
   Things things;
@@ -34,7 +34,7 @@ bool is_met_by(const Things& things, const Track& track, const Vec3& place, doub
 }
 
 bool is_met(const Things& things, const Vec3& place, double at, Work& work) {
-  work.spend(2 * kLookOperations * things.count);
+  work.spend(ops::kCurve + 2 * kLookOperations * things.count);
   for (std::int32_t k = 0; k < things.count; ++k) {
     if (is_met_by(things, things.tracks[k], place, at)) return true;
   }

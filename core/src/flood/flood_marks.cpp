@@ -73,6 +73,7 @@ void clear_near(const FloodLattice& lattice, const Vec3& first, const Near& near
       const double left = left_of(need, gap_y, gap_z);
       spent += ops::kRow;
       if (left < 0.0) continue;
+      spent += ops::kRow + 2 * ops::kDot;
       const double reach = square_root(left) + half.x;
       double low = place.x - reach;
       double high = place.x + reach;

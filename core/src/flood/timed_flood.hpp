@@ -89,8 +89,8 @@ constexpr std::uint64_t kFloodPieces =
     (kMostArrivals + 3 + kMaxThings + kMaxFloodLayers + 2) * std::uint64_t{kMaxFloodLayers + 1};
 /// The most operations of a piece: a layer, or a look at the goal.
 constexpr Operations kFloodOperations = kLayerWordOperations * Operations{kMaxFloodWords} +
-                                        ops::kRow * Operations{kMaxFloodWords} + Operations{kMaxThings} * ops::kPiece +
-                                        Operations{kMaxTrackPieces} * ops::kTurn;
+                                        2 * (ops::kRow + ops::kDot) * Operations{kMaxFloodWords} +
+                                        Operations{kMaxThings} * ops::kPiece + Operations{kMaxTrackPieces} * ops::kTurn;
 
 }  // namespace tern
 

@@ -85,7 +85,7 @@ void MapState::explain_hits(std::int64_t index, Work& work) noexcept {
         hit[row(y, z) + static_cast<std::size_t>(k)] &= ~bits;
       });
     }
-    work.spend((ops::kRow + ops::kWord) * (across.end - across.begin));
+    work.spend((2 * ops::kRow + 2 * ops::kDot + ops::kWord) * (across.end - across.begin));
   }
 }
 
