@@ -19,7 +19,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 // Where the words of the format are, docs/record.md.
 constexpr std::size_t kVersionWord = 1;
-constexpr std::size_t kFenceCountWord = 5 + 15 + 12 + 12 + 22 + 9;
+constexpr std::size_t kFenceCountWord = 5 + 15 + 12 + 12 + 22 + 10;
 
 Bytes record(const tern_test::World& world) {
   Bytes bytes(plan_record_bytes(world.spec.dims));
