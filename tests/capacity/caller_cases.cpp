@@ -109,7 +109,7 @@ Status plan_across(int count) {
 }
 
 /// A wall across the way for good, in an empty grid of so many voxels.
-Status plan_through(const tern::Voxel& dims) {
+Status plan_through(const tern::Voxel& dims, std::uint32_t budget = tern::Budget{}.tracks) {
   World world(dims, 0.1, 0.0);
   world.from({0.05, 0.05, 0.45}).to({0.1 * dims.x - 0.05, 0.1 * dims.y - 0.05, 0.45});
   tern::Track wall;
@@ -118,6 +118,7 @@ Status plan_through(const tern::Voxel& dims) {
   wall.half = {0.01, 50.0, 50.0};
   world.request.tracks = &wall;
   world.request.track_count = 1;
+  world.request.budget.tracks = budget;
   return world.plan();
 }
 
@@ -143,6 +144,13 @@ std::vector<Exceeded> request_capacities() {
        },
        [] {
          return plan_through({64, 64, 8});
+       }},
+      {"Budget::tracks", Status::kBudgetTracks,
+       [] {
+         return plan_through({32, 8, 8}, 1000000) == Status::kNoClearTime;
+       },
+       [] {
+         return plan_through({32, 8, 8}, 1);
        }},
       {"TERN_MAX_VIAS", Status::kViasFull, [] { return plan_with_vias(tern::kMaxVias) == Status::kOk; },
        [] { return plan_with_vias(tern::kMaxVias + 1); }}};
