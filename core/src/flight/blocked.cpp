@@ -18,12 +18,6 @@ double gap(double at, std::int32_t index, double cell) {
   return larger(0.0, larger(index * cell - at, at - (index + 1) * cell));
 }
 
-/// True if things that move are why there is no plan.
-bool is_by_track(Status status) {
-  return status == Status::kStartInContact || status == Status::kGoalCovered || status == Status::kNoClearTime ||
-         status == Status::kFloodFull || status == Status::kSeparationsFull || status == Status::kBudgetTracks;
-}
-
 /// The voxels along an axis that are less than `most` from a coordinate.
 IndexRange indices_around(double at, double most, double cell, std::int32_t count) {
   return {floor_index((at - most) / cell, 0, count), ceil_index((at + most) / cell, 0, count)};
@@ -75,6 +69,11 @@ bool visit_columns(const Grid& grid, const Vec3& place, Visit visit) {
 }
 
 }  // namespace
+
+bool is_by_track(Status status) noexcept {
+  return status == Status::kStartInContact || status == Status::kGoalCovered || status == Status::kNoClearTime ||
+         status == Status::kFloodFull || status == Status::kSeparationsFull || status == Status::kBudgetTracks;
+}
 
 NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double most) noexcept {
   const GridSpec& spec = grid.spec();

@@ -49,6 +49,9 @@ struct Blockage {
   void note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, Work& work) noexcept;
 };
 
+/// True if things that move are why there is no plan.
+bool is_by_track(Status status) noexcept;
+
 constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
 
 /// The blockage by a voxel that is solid in the safe grid: kObstacle if something was seen or marked in it, else

@@ -43,13 +43,13 @@ bool is_met(const Things& things, const Vec3& place, double at, Work& work) {
 
 }  // namespace
 
-bool meets_thing(const Trajectory& plan, double from, const TrackTable& table, double clearance, Work& work) noexcept {
-  const Things things = things_of(table, clearance, plan.begin);
+bool meets_thing(const Trajectory& plan, double from, const TrackTable& things, double clearance, Work& work) noexcept {
+  const Things all = things_of(things, clearance, plan.begin);
   const double end = duration(plan);
   // The end first: there, tubes are largest.
-  for (int k = 0; k < kInstants && things.count > 0; ++k) {
+  for (int k = 0; k < kInstants && all.count > 0; ++k) {
     const double at = end - (end - from) * k / kInstants;
-    if (is_met(things, evaluate(plan, at).position, at, work)) return true;
+    if (is_met(all, evaluate(plan, at).position, at, work)) return true;
   }
   return false;
 }

@@ -202,7 +202,7 @@ void FlightState::give_up() noexcept {
   const bool had_turned = search.turned;
   const FlightReason why = search.after_failed_cycle(facts, cycle.hemmed_in, cycle.cut_off, nose);
   if (why == FlightReason::kNoProgress && !had_turned && lookouts.searches_again(facts)) return;
-  if (why != FlightReason::kNone) park(why);
+  if (why != FlightReason::kNone && !is_by_track(report.plan)) park(why);
 }
 
 /// Why the vehicle does not land, if that is why it rests.

@@ -69,7 +69,7 @@ bool region_of(const MapState& state, const Track& thing, Region& region) {
 
 }  // namespace
 
-void MapState::explain_hits(std::int64_t index, Work& work) noexcept {
+void MapState::explain_hits(std::int64_t index, Work& work) const noexcept {
   work.spend(ops::kPiece);
   Region region{};
   if (index >= things.count || !region_of(*this, things.tracks[index], region)) return;

@@ -149,7 +149,7 @@ class MapState {
   void clear_face_row(std::int32_t index, Work& work) noexcept;
   void close_face_row(std::int32_t index, Work& work) noexcept;
   void read_points(std::int64_t index, Work& work) const noexcept;
-  void explain_hits(std::int64_t index, Work& work) noexcept;
+  void explain_hits(std::int64_t index, Work& work) const noexcept;
   void make_pyramid_row(std::int64_t index, Work& work) noexcept;
   void carve_brick(std::int64_t index, Work& work) noexcept;
   /// Enters a frame into a brick: its hits, and a miss for each voxel that was carved.
