@@ -19,10 +19,6 @@ std::string metres(const tern::Vec3& v) {
   return text;
 }
 
-double seconds(std::int64_t ns) {
-  return 1e-9 * static_cast<double>(ns);
-}
-
 }  // namespace
 
 bool Poses::add(StampedPose pose, std::uint32_t resets, std::int64_t now, Notices& notices) {

@@ -14,10 +14,6 @@ namespace {
 constexpr int kNobody = Notices::kNoSubject;
 constexpr auto kMost = static_cast<std::size_t>(tern::kMaxFlightTracks);
 
-double in_seconds(std::int64_t ns) {
-  return 1e-9 * static_cast<double>(ns);
-}
-
 bool numbers_are_good(const Sighting& s) {
   const double sizes[] = {s.deviation,    s.speed_deviation, s.error,  s.speed_error,
                           s.height_error, s.time_error,      s.radius, s.half_height};
@@ -41,7 +37,7 @@ bool Things::is_good(const Sighting& s, std::int64_t now, Notices& notices) cons
     return refuse(Fault::kThingAhead, "things that move are refused (\"" + s.name + "\"): their stamps are " +
                                           milliseconds(s.stamp - now) + " ahead of the clock. Synchronise the clocks");
   }
-  if (settings_.memory > 0.0 && in_seconds(now - s.stamp) > settings_.memory) {
+  if (settings_.memory > 0.0 && seconds(now - s.stamp) > settings_.memory) {
     return refuse(Fault::kThingOld, "things that move are left out (\"" + s.name + "\"): their stamps are " +
                                         milliseconds(now - s.stamp) + " behind the clock, more than thing_memory");
   }
@@ -97,7 +93,7 @@ void Things::forget_old(std::int64_t now) {
   if (!(settings_.memory > 0.0)) return;
   for (auto thing = known_.begin(); thing != known_.end();) {
     const auto next = std::next(thing);
-    if (in_seconds(now - thing->second.heard) > settings_.memory) drop(thing);
+    if (seconds(now - thing->second.heard) > settings_.memory) drop(thing);
     thing = next;
   }
 }

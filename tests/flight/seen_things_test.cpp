@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "support/flight_room.hpp"
+#include "support/grid_storage.hpp"
 
 namespace {
 
@@ -41,15 +42,6 @@ void render(Image& image, const Vec3& eye, const Vec3& centre) {
   }
 }
 
-int count_blocked(const Grid& grid) {
-  const Voxel dims = grid.spec().dims;
-  int count = 0;
-  for (int n = 0; n < dims.x * dims.y * dims.z; ++n) {
-    count += grid.obstacle({n % dims.x, n / dims.x % dims.y, n / dims.x / dims.y}) ? 1 : 0;
-  }
-  return count;
-}
-
 Crossing cross(bool has_track) {
   FlightRoom room;
   Image image(64, 48, 32.0);
@@ -78,7 +70,8 @@ Crossing cross(bool has_track) {
     room.tick();
     centre = centre + (1e-9 * static_cast<double>(room.spec.tick)) * velocity;
     crossing.threats += room.report.mode == FlightMode::kThreat ? 1 : 0;
-    if (k % 20 == 0) crossing.most_blocked = std::max(crossing.most_blocked, count_blocked(room.map().route()));
+    if (k % 20 == 0)
+      crossing.most_blocked = std::max(crossing.most_blocked, tern_test::count_obstacles(room.map().route()));
     EXPECT_GE(distance(centre, room.position()), kBall + FlightRoom::kRadius - 1e-6);
     crossing.arrived = room.report.reason == FlightReason::kArrived;
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "support/grid_storage.hpp"
 #include "support/owned_map.hpp"
 #include "support/random.hpp"
 #include "tern/map.hpp"
@@ -69,15 +70,6 @@ long double depth_in(const MapSpec& spec, const Track& thing, std::int64_t begin
   return fminl(up, fminl(thing.half.x + grown - fabsl(x), thing.half.y + grown - fabsl(y)));
 }
 
-int count_obstacles(const OwnedMap& owned) {
-  int count = 0;
-  const Voxel dims = owned.map.spec().dims;
-  for (int n = 0; n < dims.x * dims.y * dims.z; ++n) {
-    count += owned.map.route().obstacle({n % dims.x, n / dims.x % dims.y, n / dims.x / dims.y}) ? 1 : 0;
-  }
-  return count;
-}
-
 class MapExplained : public ::testing::Test {
  protected:
   MapExplained() : image(61, 41, 30.0) {}
@@ -94,7 +86,7 @@ class MapExplained : public ::testing::Test {
     for (float& z : image.z) z = 3.0f;
     OwnedMap owned(spec);
     enter(owned, &thing, 1, begin, 1000);
-    return count_obstacles(owned);
+    return tern_test::count_obstacles(owned.map.route());
   }
 
   MapSpec spec = spec_of();
@@ -205,11 +197,11 @@ TEST_F(MapExplained, HoldsForScansAndEndsWithTheThing) {
   owned.map.explain_hits(&thing, 1);
   ASSERT_EQ(owned.map.begin_scan(&point, 1, kAhead.position, kFrameTime), Status::kRunning);
   EXPECT_EQ(tern_test::finish(owned.map), Status::kOk);
-  EXPECT_EQ(count_obstacles(owned), 0);
+  EXPECT_EQ(tern_test::count_obstacles(owned.map.route()), 0);
   owned.map.explain_hits(nullptr, 1);
   ASSERT_EQ(owned.map.begin_scan(&point, 1, kAhead.position, kFrameTime + 1), Status::kRunning);
   EXPECT_EQ(tern_test::finish(owned.map), Status::kOk);
-  EXPECT_EQ(count_obstacles(owned), 1);
+  EXPECT_EQ(tern_test::count_obstacles(owned.map.route()), 1);
 }
 
 }  // namespace

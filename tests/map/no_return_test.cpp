@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "map/support.hpp"
+#include "support/grid_storage.hpp"
 #include "support/owned_map.hpp"
 
 namespace {
@@ -46,8 +47,7 @@ class MapNoReturn : public ::testing::Test {
     EXPECT_EQ(tern_test::finish(owned.map), Status::kOk);
     int count = 0;
     while (count < 54 && owned.map.seen({11 + count, 10, 10})) ++count;
-    hits = 0;
-    for (int n = 0; n < 64 * 20 * 20; ++n) hits += owned.map.route().obstacle({n % 64, n / 64 % 20, n / 1280}) ? 1 : 0;
+    hits = tern_test::count_obstacles(owned.map.route());
     return count;
   }
 

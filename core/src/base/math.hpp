@@ -12,6 +12,8 @@ namespace tern {
 // One line an operation.
 // clang-format off
 constexpr Vec3 kZero{0.0, 0.0, 0.0};
+/// Half the diagonal of a cube, in edges.
+constexpr double kHalfDiagonal = 0.8660254037844386;
 
 inline double dot(const Vec3& a, const Vec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 

@@ -19,8 +19,6 @@ constexpr double kSteepest = 100.0;
 constexpr Operations kWholeSight = 6;
 /// A scan sees nothing within so many of its pixels of a thing's direction, or of the edge of the view.
 constexpr double kScanEdge = 1.25;
-/// Half the diagonal of a cube, in edges.
-constexpr double kHalfDiagonal = 0.8660254037844386;
 
 double tangent_of(double angle) {
   const Heading at = heading_of(angle);

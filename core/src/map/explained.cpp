@@ -10,9 +10,6 @@
 namespace tern {
 namespace {
 
-/// Half the diagonal of a cube, in edges.
-constexpr double kHalfDiagonal = 0.8660254037844386;
-
 /// Where hits of a frame may be a thing's: its shape about a place, grown on all sides. The window's local frame.
 struct Region {
   const Track* thing;

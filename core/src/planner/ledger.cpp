@@ -92,10 +92,6 @@ Account account_of(Stage stage, const Budget& budget) {
   return {kNoBudget, {}};
 }
 
-Operations larger_piece(Operations piece, const StageBound& other) {
-  return piece > other.piece ? piece : other.piece;
-}
-
 }  // namespace
 
 void Ledger::clear(const Clock& clock) noexcept {
@@ -122,8 +118,8 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   if (problem.has_windows && stage == Stage::kCheck) entry.bound += windows_bound().units(times_of(problem).checks);
   if (problem.has_windows && stage == Stage::kTracks) entry.bound += windows_bound().units(kTimedProofs);
   const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;
-  Operations piece = bound.piece;
-  if (stage == Stage::kTracks) piece = larger_piece(piece, timed_bound(problem.thing_count, problem.grid->spec()));
+  const Operations flood = stage == Stage::kTracks ? timed_bound(problem.thing_count, problem.grid->spec()).piece : 0;
+  const Operations piece = bound.piece > flood ? bound.piece : flood;
   const std::uint64_t within = budget + static_cast<std::uint64_t>(piece) / kUnit + 1;
   if (budget != kNoBudget && within < entry.bound) entry.bound = within;
 }

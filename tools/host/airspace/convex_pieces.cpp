@@ -134,7 +134,7 @@ Side side(const Edge& edge, bool is_left) {
   return {a, b, static_cast<__int128>(a) * edge.low.x + static_cast<__int128>(b) * edge.low.y};
 }
 
-/// The level or, where it is no whole number, the next one below or above.
+/// The level, or the next whole number below or above if it is none.
 std::int64_t whole(const Level& level, bool upwards) {
   Wide down = level.p / level.q;
   if (down * level.q > level.p) down -= 1;

@@ -131,8 +131,8 @@ class RingPlanner {
   const EdgeRule rule_;
   const double tolerance_;
   const double reach_;
-  double between_ = 0.0;       // the two rules for the edge at hand
-  double slack_ = 0.0;         // the same of all edges that come near the window
+  double between_ = 0.0;       // how far apart the two rules put the current edge
+  double slack_ = 0.0;         // the largest between_ of the edges near the window
   double straightness_ = 0.0;  // of the parts
   std::vector<Plan2> points_;
 };

@@ -15,6 +15,10 @@
 
 namespace tern_onboard {
 
+inline double seconds(std::int64_t ns) {
+  return 1e-9 * static_cast<double>(ns);
+}
+
 /// Nanoseconds that the stamp of a pose or a frame may be ahead of the clock: two computers, synchronised.
 constexpr std::int64_t kStampAhead = 20000000;
 
