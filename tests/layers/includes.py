@@ -9,9 +9,11 @@ import re
 import sys
 
 ORDER = ["base", "grid", "inflation", "view", "map", "world", "search", "guide", "path", "ellipsoid", "corridor",
-         "curve", "tracks", "flood", "yaw", "times", "qp", "trajectory", "prove", "planner", "lookout", "flight", "record"]
-# qp knows nothing of trajectories.
-NARROW = {"qp": {"base", "qp"}, "record": {"base", "grid", "flight", "record"}}
+         "curve", "tracks", "flood", "yaw", "times", "qp", "trajectory", "prove", "planner", "lookout", "flight", "record",
+         "fleet"]
+# qp knows nothing of trajectories, and a fleet nothing of how plans are made.
+NARROW = {"qp": {"base", "qp"}, "record": {"base", "grid", "flight", "record"},
+          "fleet": {"base", "fleet"}}
 # The certifier shares nothing with what it judges but these, header by header: arithmetic, the rows of the grid's
 # words, what every stage is sliced by, and the refusal of fences that are none.
 CERTIFIER = {"base/math.hpp", "base/double_double.hpp", "base/triple.hpp", "base/work.hpp", "base/progress.hpp",
