@@ -25,6 +25,7 @@ void add_page_command(CLI::App& app, int& exit_status);
 void add_replay_command(CLI::App& app, int& exit_status);
 void add_verify_command(CLI::App& app, int& exit_status);
 void add_airspace_command(CLI::App& app, int& exit_status);
+void add_intent_command(CLI::App& app, int& exit_status);
 void add_world_command(CLI::App& app, int& exit_status);
 
 }  // namespace tern_cli

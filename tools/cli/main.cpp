@@ -96,6 +96,7 @@ int run(int argc, char** argv) {
   tern_cli::add_world_command(app, exit_status);
 #ifdef TERN_HAS_AIRSPACE
   tern_cli::add_airspace_command(app, exit_status);
+  tern_cli::add_intent_command(app, exit_status);
 #endif
   check_command(app, argc, argv);
   std::vector<std::string> arguments = reversed_arguments(argc, argv);

@@ -3,6 +3,8 @@
 //
 // ASTM F3548: operational intents and constraints, as the interfaces of UTM exchange them. All of their volumes are
 // keep-outs: others' flights and restrictions.
+#include "host/airspace/f3548.hpp"
+
 #include <string>
 
 #include "host/airspace/formats.hpp"
@@ -51,7 +53,7 @@ ZoneArea area_of_volume(const JsonNode& volume) {
   return area;
 }
 
-void read_volume(const JsonNode& node, const Zone& like, AirspaceFile& file) {
+Zone read_volume(const JsonNode& node, const Zone& like) {
   Zone zone = like;
   zone.place = node.place();
   const JsonNode volume = node.at("volume");
@@ -63,48 +65,88 @@ void read_volume(const JsonNode& node, const Zone& like, AirspaceFile& file) {
   if (node.has("time_end")) when.until = time(node.at("time_end"));
   if (when.from && when.until && *when.until < *when.from) node.refuse("time_end is before time_start");
   if (when.from || when.until) zone.times.push_back(when);
-  file.zones.push_back(zone);
+  return zone;
 }
 
-void read_entity(const JsonNode& entity, const char* kind, AirspaceFile& file) {
+void read_reference(const JsonNode& reference, UtmEntity& entity) {
+  entity.id = reference.at("id").text();
+  entity.manager = reference.text_or("manager", "");
+  entity.state = reference.text_or("state", "");
+  entity.ovn = reference.text_or("ovn", "");
+  entity.base_url = reference.text_or("uss_base_url", "");
+  if (reference.has("version")) entity.version = reference.at("version").whole();
+}
+
+/// An entity's zones say in words what it is.
+std::string words_for(const UtmEntity& entity) {
+  std::string words = entity.kind == EntityKind::kIntent ? "intent" : "constraint";
+  if (!entity.state.empty()) words += ", " + entity.state;
+  if (entity.priority != 0) words += ", priority " + std::to_string(entity.priority);
+  return words + (entity.type.empty() ? "" : ", " + entity.type);
+}
+
+UtmEntity read_entity(const JsonNode& node, EntityKind kind) {
+  UtmEntity entity;
+  entity.kind = kind;
+  entity.id = node.place();
+  const JsonNode details = node.at("details");
+  if (node.has("reference")) read_reference(node.at("reference"), entity);
+  if (details.has("priority")) entity.priority = details.at("priority").whole();
+  entity.type = details.text_or("type", "");
   Zone zone;
   zone.edges = EdgeRule::kGeodesic;
-  const JsonNode details = entity.at("details");
-  zone.type = kind;
-  if (entity.has("reference")) {
-    const JsonNode reference = entity.at("reference");
-    zone.name = reference.at("id").text();
-    zone.type += reference.has("state") ? ", " + reference.at("state").text() : "";
-  } else {
-    zone.name = entity.place();
-  }
-  if (details.has("priority")) zone.type += ", priority " + std::to_string(details.at("priority").whole());
-  if (details.has("type")) zone.type += ", " + details.at("type").text();
-  const std::size_t before = file.zones.size();
+  zone.name = entity.id;
+  zone.type = words_for(entity);
   for (const char* key : {"volumes", "off_nominal_volumes"}) {
     if (!details.has(key)) continue;
-    for (const JsonNode& volume : details.at(key).items()) read_volume(volume, zone, file);
+    for (const JsonNode& volume : details.at(key).items()) entity.volumes.push_back(read_volume(volume, zone));
   }
-  if (file.zones.size() == before) details.refuse("there is no volume in it");
+  if (entity.volumes.empty()) details.refuse("there is no volume in it");
+  return entity;
 }
 
 }  // namespace
 
-AirspaceFile read_f3548(const JsonNode& document) {
-  AirspaceFile file{"F3548", {}, {}, {}};
+std::vector<UtmEntity> read_utm_entities(const JsonNode& document) {
+  std::vector<UtmEntity> out;
   const struct {
     const char* one;
     const char* many;
-    const char* kind;
-  } entities[] = {{"operational_intent", "operational_intents", "intent"}, {"constraint", "constraints", "constraint"}};
+    EntityKind kind;
+  } entities[] = {{"operational_intent", "operational_intents", EntityKind::kIntent},
+                  {"constraint", "constraints", EntityKind::kConstraint}};
   for (const auto& entity : entities) {
-    if (document.has(entity.one)) read_entity(document.at(entity.one), entity.kind, file);
+    if (document.has(entity.one)) out.push_back(read_entity(document.at(entity.one), entity.kind));
     if (!document.has(entity.many)) continue;
-    for (const JsonNode& node : document.at(entity.many).items()) read_entity(node, entity.kind, file);
+    for (const JsonNode& node : document.at(entity.many).items()) out.push_back(read_entity(node, entity.kind));
   }
   if (document.has("details")) {
     const bool intent = document.at("details").has("priority") || document.at("details").has("off_nominal_volumes");
-    read_entity(document, intent ? "intent" : "constraint", file);
+    out.push_back(read_entity(document, intent ? EntityKind::kIntent : EntityKind::kConstraint));
+  }
+  return out;
+}
+
+std::vector<UtmEntity> read_utm_file(const std::string& path) {
+  const nlohmann::json json = parse_json(read_bytes(path, kMaxTextBytes), path);
+  const JsonNode document(json, path);
+  std::vector<UtmEntity> entities = read_utm_entities(document);
+  if (entities.empty()) {
+    document.refuse("no operational_intent, operational_intents, constraint or constraints, and no details of one");
+  }
+  return entities;
+}
+
+TimeSpan span_of(const Zone& volume) {
+  TimeSpan span{*parse_instant("1900-01-01T00:00:00Z"), *parse_instant("2200-01-01T00:00:00Z")};
+  if (volume.times.empty()) return span;
+  return {volume.times[0].from.value_or(span.from), volume.times[0].until.value_or(span.until)};
+}
+
+AirspaceFile read_f3548(const JsonNode& document) {
+  AirspaceFile file{"F3548", {}, {}, {}};
+  for (const UtmEntity& entity : read_utm_entities(document)) {
+    file.zones.insert(file.zones.end(), entity.volumes.begin(), entity.volumes.end());
   }
   return file;
 }
