@@ -46,15 +46,28 @@ Track thing_at(const Vec3& position) {
   return thing;
 }
 
+/// Where it is along an axis, `since` seconds after it was measured: Bernstein's polynomials.
+long double place_of(const Track& thing, long double since, double Vec3::*axis) {
+  if (thing.piece_count == 0) return thing.position.*axis + since * thing.velocity.*axis;
+  int p = 0;
+  while (p + 1 < thing.piece_count && since > thing.pieces[p].duration) since -= thing.pieces[p++].duration;
+  const long double u = fminl(1.0L, fmaxl(0.0L, since / thing.pieces[p].duration));
+  constexpr int kChoose[] = {1, 7, 21, 35, 35, 21, 7, 1};
+  long double sum = thing.position.*axis;
+  for (int k = 0; k < 8; ++k) sum += kChoose[k] * powl(u, k) * powl(1.0L - u, 7 - k) * thing.pieces[p].points[k].*axis;
+  return sum;
+}
+
 /// Where it is and how far it may be off, at the time of the frame, and by how much a voxel's centre is in it: negative
 /// outside. In long double, from the definition.
 long double depth_in(const MapSpec& spec, const Track& thing, std::int64_t begin, const Vec3& centre) {
-  const long double since = (static_cast<long double>(kFrameTime) - begin - thing.measured) * 1e-9L;
+  const bool has_ended = thing.end == TrackEnd::kStays && kFrameTime - begin > thing.until;
+  const long double when = static_cast<long double>(kFrameTime) - begin;
+  const long double since = ((has_ended ? thing.until : when) - thing.measured) * 1e-9L;
   const long double apart = fabsl(since);
   const long double error = thing.error + apart * thing.error_speed + apart * apart * thing.error_growth / 2;
-  const long double place[3] = {thing.position.x + since * thing.velocity.x,
-                                thing.position.y + since * thing.velocity.y,
-                                thing.position.z + since * thing.velocity.z};
+  const long double place[3] = {place_of(thing, since, &Vec3::x), place_of(thing, since, &Vec3::y),
+                                place_of(thing, since, &Vec3::z)};
   const long double from_eye[3] = {place[0] - kAhead.position.x, place[1] - kAhead.position.y,
                                    place[2] - kAhead.position.z};
   const long double far =
@@ -106,6 +119,22 @@ Track random_thing(Random& random, std::int64_t begin) {
   return thing;
 }
 
+/// Makes it follow two pieces, which it may have begun or ended some seconds before the frame, or have left for good.
+void bend(Track& thing, Random& random, std::int64_t begin, tern::TrackPiece (&pieces)[2]) {
+  for (tern::TrackPiece& piece : pieces) {
+    piece.duration = random.real(0.5, 3.0);
+    for (Vec3& point : piece.points) {
+      point = {random.real(-1.0, 1.0), random.real(-1.0, 1.0), random.real(-0.5, 0.5)};
+    }
+  }
+  thing.measured = kFrameTime - begin - static_cast<std::int64_t>(random.real(-0.49e9, 4e9));
+  thing.pieces = pieces;
+  thing.piece_count = 2;
+  thing.error_speed = thing.error_growth = 0.0;
+  thing.end = random.integer(0, 1) == 0 ? TrackEnd::kGoesOn : TrackEnd::kStays;
+  thing.until = thing.measured + static_cast<std::int64_t>(random.real(0.0, 5e9));
+}
+
 // The voxels that are marked are those that are marked without the things, but for voxels whose centre is in one.
 TEST_F(MapExplained, LeavesOutTheVoxelsOfThingsAndNoOthers) {
   Random random(4401);
@@ -115,6 +144,8 @@ TEST_F(MapExplained, LeavesOutTheVoxelsOfThingsAndNoOthers) {
     const std::int64_t begin = k % 2 == 0 ? 0 : INT64_C(1700000000123456789);
     Track things[3];
     for (Track& thing : things) thing = random_thing(random, begin);
+    tern::TrackPiece pieces[2];
+    bend(things[2], random, begin, pieces);
     OwnedMap all(spec);
     OwnedMap owned(spec);
     enter(all, nullptr, 0, 0, 1000);

@@ -71,6 +71,10 @@ constexpr int32_t kMaxMissionPoints = kMaxVias + 1;
 /// Things that move that a flight knows at once, at most. Each committed plan keeps a copy of them.
 constexpr int32_t kMaxFlightTracks = kMaxTracks < 64 ? kMaxTracks : 64;
 
+/// Pieces of their curves that a flight keeps, at most: those of the latest curves, kMaxTrackPieces at most, and those
+/// that committed plans were proven with.
+constexpr int32_t kMaxFlightPieces = 2 * kMaxTrackPieces;
+
 /// What happens if a point of a mission, other than the goal, cannot be reached.
 enum class ViaPolicy : uint8_t {
   kEnd = 0,  ///< the mission ends: the vehicle comes to rest and says why
@@ -201,9 +205,15 @@ class Flight {
   /// was proven with is handled like a new obstacle: the plan is proven anew, and if that fails, the vehicle brakes. A
   /// thing that is measured no more is not forgotten: its tube grows on. See docs/flight.md for what is promised.
   ///
+  /// A track with pieces, as track_of() makes it of another vehicle's plan, is taken at its word: plans and proofs keep
+  /// clear of the curve and its error. The pieces are copied. It may begin later than now. Each new curve of a thing is
+  /// a measurement outside its tube.
+  ///
   /// kOk; or a refusal, which leaves the thing as it was: kNonFiniteInput; kTracksFull (kMaxFlightTracks are known);
-  /// kClockBehind (older than the last measurement of this thing); kInvalidArgument (a track that a Request may not
-  /// have, one with pieces, one measured more than a tick after the last tick, or before start()).
+  /// kTrackPiecesFull (more than kMaxTrackPieces with those of all other things, or no kMaxFlightPieces are left while
+  /// committed plans hold older ones: then it may be taken a second later); kClockBehind (older than the last
+  /// measurement of this thing); kInvalidArgument (a track that a Request may not have, one without pieces that was
+  /// measured more than a tick after the last tick, or before start()).
   Status update_track(const Track& track) noexcept;
   /// The thing with this id is gone for certain, or was taken for something else: new plans and proofs leave it out.
   /// kOk; kInvalidArgument if there is none, or before start().

@@ -211,9 +211,9 @@ class RollingMap {
   ///
   /// A thing explains the hits in voxels whose centre is in its shape at the time of the frame, grown by its error
   /// then, by the errors of pose and depth, and by half the diagonal of a voxel. It explains none in frames taken more
-  /// than kExplainsFor before or after it was measured, none once its error exceeds kExplainsWithin, none after
-  /// Track::until if that counts, and none if it has pieces. Its voxels are not seen free by that either: what was
-  /// never seen stays unknown.
+  /// than kExplainsFor before it was measured, or after, unless it has pieces; none once its error exceeds
+  /// kExplainsWithin; and none after Track::until if that counts, unless it has pieces and stays. Its voxels are not
+  /// seen free by that either: what was never seen stays unknown.
   void explain_hits(const Track* tracks, int32_t count, int64_t begin = 0) noexcept;
   /// True while a job is not finished.
   bool busy() const noexcept;

@@ -86,11 +86,7 @@ Status Flight::note_position(const Vec3& position, int64_t t) noexcept {
 }
 
 Status Flight::update_track(const Track& track) noexcept {
-  if (state_ == nullptr) return Status::kInvalidArgument;
-  Track taken;
-  const Status status = state_->facts.note_track(track, taken);
-  if (status == Status::kOk) state_->note_track(taken);
-  return status;
+  return state_ == nullptr ? Status::kInvalidArgument : state_->update_track(track);
 }
 
 Status Flight::forget_track(uint32_t id) noexcept {

@@ -73,14 +73,15 @@ std::int64_t FlightFacts::time_to_answer(std::int64_t t) const noexcept {
   return wanted < time ? time : wanted;
 }
 
-Status FlightFacts::note_track(const Track& measured, Track& taken) noexcept {
+Status FlightFacts::read_track(const Track& measured, Track& taken) const noexcept {
   taken = measured;
   const TrackFault fault = find_track_fault(&taken, 1);
   if (fault.status != Status::kOk) return fault.status;
+  if (taken.piece_count == 0) taken.pieces = nullptr;
   taken.measured = clock.time_of(measured.measured);
   if (taken.end != TrackEnd::kGoesOn) taken.until = clock.time_of(measured.until);
-  if (taken.pieces != nullptr || taken.measured > time + spec.tick) return Status::kInvalidArgument;
-  return tracks.update(taken, time);
+  const bool is_ahead = taken.pieces == nullptr && taken.measured > time + spec.tick;
+  return is_ahead ? Status::kInvalidArgument : Status::kOk;
 }
 
 std::int64_t FlightFacts::rest_clear_until() const noexcept {

@@ -54,9 +54,9 @@ struct FlightFacts {
   bool note_frame() noexcept;
   /// The vehicle was measured at `position` when the clock showed `t`. True if less speed is left than before.
   bool note_position(const Vec3& position, std::int64_t t) noexcept;
-  /// Takes a measurement of a thing that moves, at a time of the clock: see Flight::update_track(). `taken` receives it
+  /// Reads a measurement of a thing that moves, at a time of the clock: see Flight::update_track(). `taken` receives it
   /// with the flight's times.
-  Status note_track(const Track& measured, Track& taken) noexcept;
+  Status read_track(const Track& measured, Track& taken) const noexcept;
   /// Until when the place where the latest plan ends is clear of all tracks, on the clock; INT64_MAX if for long.
   std::int64_t rest_clear_until() const noexcept;
   /// Moves the map's window after the vehicle, as far as it must.

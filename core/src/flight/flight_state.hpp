@@ -19,6 +19,7 @@
 #include "flight/lookouts.hpp"
 #include "flight/nose.hpp"
 #include "flight/rest_search.hpp"
+#include "flight/track_pieces.hpp"
 #include "flight/watch.hpp"
 #include "tern/flight.hpp"
 
@@ -36,6 +37,7 @@ class FlightState {
   Lookouts lookouts;
   Blockage block;  ///< what ended the last proof or plan to the goal
   Nose nose;
+  TrackPieces pieces;  ///< of the curves in all tables of things that move
   FlightReport report;
 
   // tick.cpp: one tick
@@ -43,7 +45,8 @@ class FlightState {
   void step_map() noexcept;
   void run_watch() noexcept;
   void end_watched_part() noexcept;
-  void note_track(const Track& measured) noexcept;
+  Status update_track(const Track& measured) noexcept;
+  bool keep_pieces(Track& track) noexcept;
   void advance() noexcept;
   void begin_evasion() noexcept;
   void prove_anew() noexcept;

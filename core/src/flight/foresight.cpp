@@ -27,6 +27,8 @@ bool is_met_by(const Things& things, const Track& track, const Vec3& place, doub
   alone.reach = 0.0;
   if (!is_too_near(things, alone, place, at)) return false;
   if (!(track.reach > 0.0)) return true;
+  if (track.piece_count > 0) alone.position = track.position + track.pieces[0].points[0];
+  alone.piece_count = 0;
   alone.velocity = kZero;
   alone.error_speed = track.reach;
   alone.error_growth = 0.0;

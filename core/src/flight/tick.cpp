@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One tick: which part works when, and what a threat and an evasion mean to the others.
+#include "base/capacity.hpp"
 #include "flight/flight_state.hpp"
 
 namespace tern {
@@ -62,12 +63,29 @@ void FlightState::end_watched_part() noexcept {
   watch.go_on(facts, drops);
 }
 
+bool FlightState::keep_pieces(Track& track) noexcept {
+  const TrackTable* tables[5] = {&facts.tracks, &facts.plans.in_flight.tubes};
+  int count = 2;
+  if (facts.plans.has_waiting) tables[count++] = &facts.plans.waiting.tubes;
+  if (is_busy()) tables[count++] = &draft.plan.tubes;
+  if (is_busy()) tables[count++] = &cycle.expected;
+  return pieces.keep(track, tables, count);
+}
+
 /// A measurement outside the tube of a committed plan, or of a thing that the plan does not know: from now on the plan
 /// has this tube, and is proven anew.
-void FlightState::note_track(const Track& measured) noexcept {
-  bool has_news = facts.plans.in_flight.tubes.take_news(measured, facts.tracks);
-  if (facts.plans.has_waiting) has_news = facts.plans.waiting.tubes.take_news(measured, facts.tracks) || has_news;
+Status FlightState::update_track(const Track& measured) noexcept {
+  Track taken;
+  const Status status = facts.read_track(measured, taken);
+  if (status != Status::kOk) return status;
+  if (taken.piece_count > 0 && is_full(!keep_pieces(taken))) return Status::kTrackPiecesFull;
+  CommittedPlans& plans = facts.plans;
+  const Status known = facts.tracks.update(taken, facts.time);
+  if (known != Status::kOk) return known;
+  bool has_news = plans.in_flight.tubes.take_news(taken, facts.tracks);
+  if (plans.has_waiting) has_news = plans.waiting.tubes.take_news(taken, facts.tracks) || has_news;
   if (has_news) watch.prove_all();
+  return Status::kOk;
 }
 
 void FlightState::advance() noexcept {

@@ -38,7 +38,8 @@ bool may_do_more(const Track& a, const Track& b) {
 /// reach, it may be anywhere in the ball.
 Track expected_of(const Track& track, std::int64_t now) {
   Track expected = track;
-  if (track.end != TrackEnd::kGoesOn || now < track.measured || !(track.error_growth > 0.0)) return expected;
+  if (track.pieces != nullptr || track.end != TrackEnd::kGoesOn || now < track.measured || !(track.error_growth > 0.0))
+    return expected;
   const double since = seconds_between(track.measured, now);
   const double error = error_after(track, since);
   const double reached = track.error + track.reach * since;
@@ -55,6 +56,8 @@ Track expected_of(const Track& track, std::int64_t now) {
 }  // namespace
 
 bool refutes(const Track& measured, const Track& tube) noexcept {
+  if (measured.pieces != tube.pieces) return true;
+  if (measured.pieces != nullptr) return false;
   if (is_larger(measured, tube) || may_do_more(measured, tube) || is_gone(tube, measured.measured)) return true;
   const double since = seconds_between(tube.measured, measured.measured);
   const double moved = time_in_motion(tube, since);
@@ -72,6 +75,13 @@ Track* TrackTable::find(std::uint32_t id) noexcept {
   return nullptr;
 }
 
+/// Plans and proofs take no more pieces than a request.
+bool TrackTable::pieces_fit(const Track& added, const Track* replaced) const noexcept {
+  std::int32_t sum = added.piece_count - (replaced != nullptr ? replaced->piece_count : 0);
+  for (std::int32_t k = 0; k < count; ++k) sum += tracks[k].piece_count;
+  return !is_full(sum > kMaxTrackPieces);
+}
+
 void TrackTable::take(const TrackTable& other) noexcept {
   count = other.count;
   for (std::int32_t k = 0; k < count; ++k) tracks[k] = other.tracks[k];
@@ -81,6 +91,7 @@ Status TrackTable::update(const Track& measured, std::int64_t now) noexcept {
   Track* const known = find(measured.id);
   if (known != nullptr) {
     if (measured.measured < known->measured) return Status::kClockBehind;
+    if (!pieces_fit(measured, known)) return Status::kTrackPiecesFull;
     *known = measured;
     return Status::kOk;
   }
@@ -90,6 +101,7 @@ Status TrackTable::update(const Track& measured, std::int64_t now) noexcept {
   }
   count = kept;
   if (is_full(count == kMaxFlightTracks)) return Status::kTracksFull;
+  if (!pieces_fit(measured, nullptr)) return Status::kTrackPiecesFull;
   tracks[count++] = measured;
   return Status::kOk;
 }
@@ -104,10 +116,10 @@ bool TrackTable::forget(std::uint32_t id) noexcept {
 bool TrackTable::take_news(const Track& measured, const TrackTable& latest) noexcept {
   Track* const tube = find(measured.id);
   if (tube != nullptr && !refutes(measured, *tube)) return false;
-  if (tube != nullptr) {
-    *tube = measured;
-  } else if (is_full(count == kMaxFlightTracks)) {
+  if (!pieces_fit(measured, tube) || (tube == nullptr && is_full(count == kMaxFlightTracks))) {
     take(latest);
+  } else if (tube != nullptr) {
+    *tube = measured;
   } else {
     tracks[count++] = measured;
   }

@@ -26,7 +26,8 @@ struct TrackTable {
   /// Becomes a copy. Copies only what there is.
   void take(const TrackTable& other) noexcept;
   /// Takes a measurement in place of the last one of that thing. kOk; kClockBehind if it is older than that;
-  /// kTracksFull. What is gone before `now` makes room.
+  /// kTracksFull; kTrackPiecesFull if all things together then have more pieces than a request may have. What is gone
+  /// before `now` makes room.
   Status update(const Track& measured, std::int64_t now) noexcept;
   /// False if there is no such thing.
   bool forget(std::uint32_t id) noexcept;
@@ -40,10 +41,12 @@ struct TrackTable {
 
  private:
   Track* find(std::uint32_t id) noexcept;
+  bool pieces_fit(const Track& added, const Track* replaced) const noexcept;
 };
 
 /// True if a thing that was measured so is not in its tube: no place that the measurement allows is in the tube, or it
-/// is larger, or may do more, than the tube takes it for. The measurement is no older than the tube.
+/// is larger, or may do more, than the tube takes it for. The measurement is no older than the tube. A curve always
+/// refutes another one.
 bool refutes(const Track& measured, const Track& tube) noexcept;
 
 }  // namespace tern

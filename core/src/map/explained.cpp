@@ -45,19 +45,36 @@ IndexRange centres_within(double centre, double half, double cell, const IndexRa
   return overlap(range, within);
 }
 
+/// A thing's place `since` seconds after it was measured, world frame. Before that, it is where its curve begins.
+Vec3 place_on(const Track& thing, double since) {
+  if (thing.piece_count == 0) return thing.position + since * thing.velocity;
+  std::int32_t p = 0;
+  while (p + 1 < thing.piece_count && since > thing.pieces[p].duration) since -= thing.pieces[p++].duration;
+  const double u = clamp(since / thing.pieces[p].duration, 0.0, 1.0);
+  Vec3 points[kControlPoints];
+  for (int k = 0; k < kControlPoints; ++k) points[k] = thing.pieces[p].points[k];
+  for (int last = kDegree; last > 0; --last) {
+    for (int k = 0; k < last; ++k) points[k] = points[k] + u * (points[k + 1] - points[k]);
+  }
+  return thing.position + points[0];
+}
+
 /// False if the thing explains no hits of this frame: it was measured too long before or after, or too badly, or it is
-/// gone.
+/// gone. A curve is known for all of its time.
 bool region_of(const MapState& state, const Track& thing, Region& region) {
   const std::int64_t time = minus(state.frame.time, state.things.begin);
-  const double since = 1e-9 * static_cast<double>(minus(time, thing.measured));
+  const bool has_ended = thing.end != TrackEnd::kGoesOn && time > thing.until;
+  const bool is_curve = thing.piece_count > 0;
+  if (has_ended && (!is_curve || thing.end == TrackEnd::kGone)) return false;
+  const std::int64_t when = has_ended ? thing.until : time;
+  const double since = 1e-9 * static_cast<double>(minus(when, thing.measured));
   const double apart = absolute(since);
-  const bool is_over = thing.end != TrackEnd::kGoesOn && time > thing.until;
-  if (!(apart <= kExplainsFor) || is_over || thing.pieces != nullptr) return false;
+  if (!(apart <= kExplainsFor || (is_curve && since > 0.0))) return false;
   const double error = thing.error + apart * (thing.error_speed + 0.5 * apart * thing.error_growth);
   if (!(error <= kExplainsWithin)) return false;
   const MapSpec& spec = state.spec;
   region.thing = &thing;
-  region.centre = state.route.to_local(thing.position + since * thing.velocity);
+  region.centre = state.route.to_local(place_on(thing, since));
   const double far = smaller(distance(region.centre, state.frame.origin), spec.range);
   region.grown = error + spec.pose_margin + spec.angle_margin * far + spec.depth_margin +
                  spec.depth_margin_square * far * far + kHalfDiagonal * spec.cell;
@@ -67,9 +84,10 @@ bool region_of(const MapState& state, const Track& thing, Region& region) {
 }  // namespace
 
 void MapState::explain_hits(std::int64_t index, Work& work) const noexcept {
-  work.spend(ops::kPiece);
+  const bool is_there = index < things.count;
+  work.spend(is_there && things.tracks[index].piece_count > 0 ? ops::kPiece + ops::kCurve : ops::kPiece);
   Region region{};
-  if (index >= things.count || !region_of(*this, things.tracks[index], region)) return;
+  if (!is_there || !region_of(*this, things.tracks[index], region)) return;
   const double cell = spec.cell;
   const IndexRange across = centres_within(region.centre.y, region.half(1), cell, frame.box.y);
   const IndexRange up = centres_within(region.centre.z, region.half(2), cell, frame.box.z);

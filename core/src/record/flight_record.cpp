@@ -92,7 +92,9 @@ Status FlightRecorder::set_clock(int64_t t, Status answer) noexcept {
 
 Status FlightRecorder::update_track(const Track& track, Status answer) noexcept {
   Event event(*this, FlightEventKind::kTrack, answer);
-  list_track(event.words(), track);
+  if (!event.is_open()) return event.end();
+  if (!is_count(track.piece_count, kMaxTrackPieces, track.pieces)) return Status::kInvalidArgument;
+  write_track(track, event.words());
   return event.end();
 }
 

@@ -29,17 +29,27 @@ void list_track(Words& words, AnyTrack& track) {
   words(track.reach);
 }
 
-/// A track without pieces.
-inline Track read_track(WordReader& words) {
-  Track track;
-  list_track(words, track);
-  return track;
-}
-
 template <typename Words, typename AnyPiece>
 void list_track_piece(Words& words, AnyPiece& piece) {
   words(piece.duration);
   for (auto& point : piece.points) words(point);
+}
+
+/// One track with its pieces.
+inline void write_track(const Track& track, WordWriter& words) {
+  list_track(words, track);
+  words(track.piece_count);
+  for (std::int32_t p = 0; p < track.piece_count; ++p) list_track_piece(words, track.pieces[p]);
+}
+
+/// Reads what write_track() wrote. The track points into `pieces`, which has room for `room`.
+inline Status read_track(WordReader& words, TrackPiece* pieces, std::int32_t room, Track& track) {
+  list_track(words, track);
+  const Status status = read_count(words, room, Status::kTrackPiecesFull, track.piece_count);
+  if (status != Status::kOk) return status;
+  track.pieces = track.piece_count > 0 ? pieces : nullptr;
+  for (std::int32_t p = 0; p < track.piece_count; ++p) list_track_piece(words, pieces[p]);
+  return status;
 }
 
 /// The most fields of all tracks, with their number.
@@ -59,11 +69,7 @@ inline bool tracks_fit(const Track* tracks, std::int32_t count) {
 
 inline void write_tracks(const Track* tracks, std::int32_t count, WordWriter& words) {
   words(count);
-  for (std::int32_t t = 0; t < count; ++t) {
-    list_track(words, tracks[t]);
-    words(tracks[t].piece_count);
-    for (std::int32_t p = 0; p < tracks[t].piece_count; ++p) list_track_piece(words, tracks[t].pieces[p]);
-  }
+  for (std::int32_t t = 0; t < count; ++t) write_track(tracks[t], words);
 }
 
 /// Reads the tracks that write_tracks wrote, into arrays of kMaxTracks and kMaxTrackPieces. The tracks point into
@@ -72,14 +78,8 @@ inline Status read_tracks(WordReader& words, Track* tracks, TrackPiece* pieces, 
   Status status = read_count(words, kMaxTracks, Status::kTracksFull, count);
   std::int32_t left = kMaxTrackPieces;
   for (std::int32_t t = 0; t < count && status == Status::kOk; ++t) {
-    Track& track = tracks[t];
-    list_track(words, track);
-    status = read_count(words, left, Status::kTrackPiecesFull, track.piece_count);
-    if (status != Status::kOk) return status;
-    TrackPiece* const first = pieces + (kMaxTrackPieces - left);
-    track.pieces = track.piece_count > 0 ? first : nullptr;
-    for (std::int32_t p = 0; p < track.piece_count; ++p) list_track_piece(words, first[p]);
-    left -= track.piece_count;
+    status = read_track(words, pieces + (kMaxTrackPieces - left), left, tracks[t]);
+    left -= tracks[t].piece_count;
   }
   return status;
 }

@@ -84,7 +84,7 @@ class Player {
       case FlightEventKind::kPosition:
         return note_position(event);
       case FlightEventKind::kTrack:
-        return flight_.update_track(tern::read_track(event.words));
+        return update_track(event);
       case FlightEventKind::kForgetTrack:
         return flight_.forget_track(read<std::uint32_t>(event));
     }
@@ -205,6 +205,15 @@ class Player {
     return flight_.note_position(position, read<std::int64_t>(event));
   }
 
+  Status update_track(FlightEvent& event) {
+    tern::Track track;
+    track_pieces_.resize(tern::kMaxTrackPieces);
+    if (tern::read_track(event.words, track_pieces_.data(), tern::kMaxTrackPieces, track) != Status::kOk) {
+      events_.refuse(event, "has a count that is out of range");
+    }
+    return flight_.update_track(track);
+  }
+
   /// What was flown until then took as long as the ticks say.
   Status set_clock(FlightEvent& event) {
     const auto t = read<std::int64_t>(event);
@@ -274,6 +283,7 @@ class Player {
   std::vector<tern::Cylinder> prior_cylinders_;
   std::vector<tern::Fence> fences_;
   std::vector<tern::Halfspace> planes_;
+  std::vector<tern::TrackPiece> track_pieces_;
   DepthPixels pixels_;
   std::vector<tern::Vec3> points_;
   FlightReplay result_;
