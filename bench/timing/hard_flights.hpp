@@ -11,7 +11,7 @@
 namespace tern_timing {
 
 /// Room for each of the flights here and for the golden ones.
-using FlightMemory = tern_golden::FlightMemory<200000, 72000>;
+using FlightMemory = tern_golden::FlightMemory<200000, 100000>;
 
 /// The longest tick of each kind. Where no tick was of a kind, there is no row.
 void print_ticks(const char* name, const tern_golden::TickCosts& costs, std::uint32_t work_per_tick);

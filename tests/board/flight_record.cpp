@@ -18,7 +18,7 @@ constexpr int kRecordedTicks = 96;
 constexpr std::size_t kRoom = 128 * 1024;
 constexpr std::size_t kBytesOfLine = 32;
 
-TERN_BOARD_LARGE tern_golden::FlightMemory<20000, 24000> memory;
+TERN_BOARD_LARGE tern_golden::FlightMemory<20000, 28000> memory;
 TERN_BOARD_LARGE std::uint8_t bytes[kRoom];
 tern_golden::PillarCamera camera;
 

@@ -94,9 +94,13 @@ void Hop::add(const tern::Box& box) {
 
 /// A ball far away that stays there.
 void Hop::note_thing() {
+  const tern::TrackPiece still{1.0, {}};
   tern::Track track;
   track.position = {100.0, 0.0, 0.0};
   track.radius = 0.3;
+  flight_.update_track(track);
+  track.pieces = &still;
+  track.piece_count = 1;
   flight_.update_track(track);
 }
 

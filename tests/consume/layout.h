@@ -85,7 +85,7 @@
   FIELD(tern_flight_spec, tick)                                                                                      \
   FIELD(tern_flight_spec, work_per_tick) FIELD(tern_flight_spec, plan_work) FIELD(tern_flight_spec, horizon)         \
   FIELD(tern_flight_spec, near) FIELD(tern_flight_spec, yaw_rate)                                                      \
-  FIELD(tern_flight_spec, fences) FIELD(tern_flight_spec, fence_count) FIELD(tern_flight_spec, stale_after) FIELD(tern_flight_spec, sensor) \
+  FIELD(tern_flight_spec, fences) FIELD(tern_flight_spec, fence_count) FIELD(tern_flight_spec, stale_after) FIELD(tern_flight_spec, sensor) FIELD(tern_flight_spec, clearance) \
   FIELD(tern_flight_report, mode) FIELD(tern_flight_report, reason) FIELD(tern_flight_report, plan)                  \
   FIELD(tern_flight_report, asked) FIELD(tern_flight_report, committed) FIELD(tern_flight_report, dropped)           \
   FIELD(tern_flight_report, failed) FIELD(tern_flight_report, work) FIELD(tern_flight_report, contact_time)          \

@@ -302,6 +302,11 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   EXPECT_EQ(tern_flight_update_track(&flight, &track), kInvalid);
   EXPECT_EQ(tern_flight_forget_track(&flight, 0), kInvalid);
   EXPECT_EQ(tern_flight_rest_clear_until(nullptr), INT64_MAX);
+  tern_trajectory plan{};
+  std::int64_t takeover = 0;
+  EXPECT_EQ(tern_flight_proposal(nullptr, &plan, &takeover), 0u);
+  EXPECT_EQ(tern_flight_proposal(&flight, nullptr, &takeover), 0u);
+  EXPECT_EQ(tern_flight_answer(&flight, 1, true), kInvalid);
   tern_command command{};
   command.look_at = goal;
   tern_flight_command(&flight, 0, &command);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace tern_golden;
 
-using SmallMemory = FlightMemory<40000, 48000>;
+using SmallMemory = FlightMemory<40000, 80000>;
 
 struct Recording {
   std::vector<std::pair<int, FlightFrame>> frames;

@@ -20,7 +20,7 @@ namespace tern_golden {
 constexpr int kShort = 120;  ///< ticks
 constexpr std::size_t kHeadBytes = 40;
 
-using SmallMemory = FlightMemory<40000, 48000>;
+using SmallMemory = FlightMemory<40000, 80000>;
 
 /// Flies the golden flight and hands each tick to `see`.
 template <typename See>

@@ -118,6 +118,20 @@ tern::Track ball_beside(int tick, std::int64_t t) {
   return ball;
 }
 
+/// Another vehicle, which flies to and fro at a distance.
+void record_curve(FlightRecorder& recorder, tern::Flight& flight, std::int64_t t) {
+  tern::TrackPiece pieces[2] = {{0.5, {}}, {0.5, {}}};
+  for (int k = 0; k < 8; ++k) pieces[0].points[k] = pieces[1].points[7 - k] = {0.1 * k, 0.01 * k * k, 0.0};
+  tern::Track vehicle;
+  vehicle.id = 4;
+  vehicle.measured = t;
+  vehicle.position = {0.0, 4.0, kEyeHeight};
+  vehicle.radius = 0.2;
+  vehicle.pieces = pieces;
+  vehicle.piece_count = 2;
+  EXPECT_EQ(recorder.update_track(vehicle, flight.update_track(vehicle)), Status::kOk);
+}
+
 TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   std::vector<std::uint8_t> bytes(1 << 20);
   FlightRecorder recorder;
@@ -163,6 +177,7 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   tern::FlightSpec flown = flight_spec_of(kSmallFlight);
   flown.fences = &fence;
   flown.fence_count = 1;
+  flown.clearance = 5 * flown.tick;
   tern::Flight flight;
   const Status begun = flight.start(flown, map, planner, words.data(), words.size(), eye, 0);
   ASSERT_EQ(begun, Status::kOk);
@@ -183,14 +198,20 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   ASSERT_EQ(turned, Status::kOk);
   recorder.set_yaw(yaw, turned);
   tern::FlightReport report{};
+  tern::Trajectory proposed{};
+  std::int64_t takeover = 0;
   for (int k = 0; k < 200; ++k) {
     const std::int64_t t = k * kSmallFlight.tick;
     const tern::Vec3 measured = flight.command(t).sample.position;
     recorder.note_position(measured, t, flight.note_position(measured, t));
     const tern::Track ball = ball_beside(k, t);
     if (k % 5 == 0) recorder.update_track(ball, flight.update_track(ball));
+    if (k % 50 == 7) record_curve(recorder, flight, t);
     if (k == 120) recorder.forget_track(ball.id, flight.forget_track(ball.id));
     recorder.tick(flight, t, report, flight.tick(t, report));
+    if (const std::uint32_t number = flight.proposal(proposed, takeover); number != 0) {
+      recorder.answer(number, number % 3 != 0, flight.answer(number, number % 3 != 0));
+    }
     if (k == 110) recorder.land({0.3, 0, 0.2}, 0.1, 0.5, flight.land({0.3, 0, 0.2}, 0.1, 0.5));
     if (k == 150) recorder.stop(flight.stop());
   }

@@ -55,6 +55,9 @@ struct FlightSpec {
   int64_t stale_after = 1000000000;
   /// The sensor, as the flight takes it into account when it chooses from where to look.
   FlightSensor sensor = kLevelCamera;
+  /// Nanoseconds that are left to others to answer whether a plan may be flown, >= 0, at most 10 s; 0: plans need no
+  /// clearance. Else each plan waits for Flight::answer() before it is committed, and begins so much later.
+  int64_t clearance = 0;
 };
 
 /// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
@@ -179,7 +182,8 @@ class Flight {
   /// angle begins within half a turn of 0 and counts whole turns from there. Every time has an answer, as for
   /// command().
   YawSample yaw(int64_t t) const noexcept;
-  /// Comes to rest soon and forgets the goal. kInvalidArgument before start().
+  /// Comes to rest soon and forgets the goal. With FlightSpec::clearance, the vehicle follows the committed plan to its
+  /// end, since a brake would be another plan. kInvalidArgument before start().
   Status stop() noexcept;
   /// Does one tick's work: continues the map's job, proves the committed plan anew where the map changed, and continues
   /// the pending plan. Call it every FlightSpec::tick; if ticks are skipped, plans come late and are dropped. kOk;
@@ -218,6 +222,17 @@ class Flight {
   /// The thing with this id is gone for certain, or was taken for something else: new plans and proofs leave it out.
   /// kOk; kInvalidArgument if there is none, or before start().
   Status forget_track(uint32_t id) noexcept;
+  /// The plan that waits for its clearance, and the number of that question; 0 if none waits. `plan` is what the
+  /// vehicle would follow from `takeover` on, up to rest; its beginning, and `takeover`, are on the clock of tick(),
+  /// and up to then it is the committed plan. Ask after each tick. The plan is withdrawn without an answer if it is
+  /// late, a threat calls for a brake or there is another goal: then the number is another one or 0. For flights with
+  /// FlightSpec::clearance.
+  uint32_t proposal(Trajectory& plan, int64_t& takeover) const noexcept;
+  /// Answers that question. A plan that may be flown is proven once more, on the map as it is, then committed:
+  /// proposal() is 0 from now on, and FlightReport::committed rises or, if that fails, FlightReport::failed or dropped.
+  /// Any other plan is dropped, the committed one stays, and the next one is asked for. kOk; kInvalidArgument if no
+  /// plan with this number waits.
+  Status answer(uint32_t number, bool may_fly) noexcept;
   /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, on the clock
   /// of tick(): a vehicle that rests there may be run into later. INT64_MAX if nothing comes within kRestHorizon, or
   /// before start(). Computes a proof: call it once a tick at most.

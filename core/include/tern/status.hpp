@@ -263,6 +263,7 @@ enum class Field : uint8_t {
   kTracks,             ///< Request::tracks or track_count, or a track in it
   kRestClear,          ///< Request::rest_clear
   kSensor,             ///< FlightSpec::sensor
+  kClearance,          ///< FlightSpec::clearance
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -39,6 +39,7 @@ typedef struct {
   const tern_fence* fences; int32_t fence_count;
   int64_t stale_after; /* nanoseconds */
   tern_flight_sensor sensor;
+  int64_t clearance; /* nanoseconds */
 } tern_flight_spec;
 /* Why a flight was refused: tern::FlightRefusal. */
 typedef struct {
@@ -191,6 +192,11 @@ uint8_t tern_flight_note_position(tern_flight* flight, const tern_vec3* position
 uint8_t tern_flight_update_track(tern_flight* flight, const tern_track* track);
 /* That thing is gone for certain. ok or invalid_argument. */
 uint8_t tern_flight_forget_track(tern_flight* flight, uint32_t id);
+/* The plan that waits for its clearance, when it would take over, and the number of that question; 0 if none waits, or
+ * for a null pointer: tern::Flight::proposal(). */
+uint32_t tern_flight_proposal(const tern_flight* flight, tern_trajectory* plan, int64_t* takeover);
+/* Answers that question. ok, or invalid_argument if no plan with this number waits. */
+uint8_t tern_flight_answer(tern_flight* flight, uint32_t number, bool may_fly);
 /* Until when the place where the committed plan ends stays clear of all things that move; INT64_MAX: for long. */
 int64_t tern_flight_rest_clear_until(const tern_flight* flight);
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */

@@ -236,6 +236,7 @@ const char* field_name(Field field) noexcept {
     case Field::kYawRate: return "yaw rate";
     case Field::kStaleAfter: return "stale_after";
     case Field::kSensor: return "sensor";
+    case Field::kClearance: return "clearance";
   }
   return "unknown";
 }

@@ -42,7 +42,7 @@ std::int64_t Lead::ticks(const FlightSpec& spec) const noexcept {
 void Lead::shorten(const FlightFacts& flight, std::int64_t takeover) noexcept {
   if (late == 0) return;
   const std::int64_t saved = ticks(flight.spec) - Lead{late - 1}.ticks(flight.spec) + 1;
-  if (takeover - flight.time > saved * flight.spec.tick) --late;
+  if (takeover - flight.time > (saved + flight.clearance_ticks()) * flight.spec.tick) --late;
 }
 
 /// The ways to a lookout are tried with all kinds of copies, too: they lead through known space, and where unseen
@@ -172,9 +172,24 @@ Progress Cycle::find_branch(const FlightFacts& flight, Draft& draft, Work& work)
   return progress;
 }
 
+/// A number that comes round again is never 0.
+void Cycle::ask_for_clearance() noexcept {
+  job = Job::kAnswer;
+  if (++question == 0) ++question;
+}
+
+Progress Cycle::begin_renewal(const FlightFacts& flight, Draft& draft) noexcept {
+  if (!flight.map.safe().bound()) return Progress::kMore;
+  job = Job::kRenew;
+  draft.plan.tubes.take(flight.tracks);
+  const bool begun = draft.begin_proof(flight, draft.plan.trajectory, draft.start_of_proof()) == Status::kRunning;
+  return begun ? Progress::kDone : Progress::kFailed;
+}
+
 void Cycle::prove_anew() noexcept {
   const bool proves_draft = job == Job::kProve || job == Job::kBranch || job == Job::kConfirm;
   if (proves_draft) job = Job::kWait;
+  if (job == Job::kRenew) job = Job::kCleared;
 }
 
 bool Cycle::reads_map() const noexcept {
@@ -184,6 +199,8 @@ bool Cycle::reads_map() const noexcept {
     case Job::kRoute:
     case Job::kPlan:
     case Job::kWait:
+    case Job::kAnswer:
+    case Job::kCleared:
       return false;
     default:
       return true;

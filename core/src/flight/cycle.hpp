@@ -37,6 +37,9 @@ enum class Job : std::uint8_t {
   kProve,      ///< finds until when the draft is proven
   kBranch,     ///< finds a proven brake that leaves the draft there or earlier
   kConfirm,    ///< proves the draft with its brake as a whole
+  kAnswer,     ///< waits for the answer whether the draft may be flown
+  kCleared,    ///< it may: waits until the window has slid
+  kRenew,      ///< proves the draft once more, on the map as it is now
 };
 
 /// The next question to the planner after it found no plan.
@@ -72,6 +75,7 @@ struct Cycle {
   bool steps_back;         ///< the plan leads to the nearest voxel that is free for all that is known
   bool remainder_is_free;  ///< the remainder of the planner's plan in flight is free on the route copy
   bool looks_out;          ///< the plan leads to a lookout, or to a place on the way to one
+  std::uint32_t question;  ///< number of the last draft that waits, or waited, for an answer
   bool cut_off;            ///< no way leads to the target, and the vehicle rests as near to it as it can
   BranchSearch branches;
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
@@ -116,6 +120,12 @@ struct Cycle {
   Progress find_branch(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
   /// The draft is not proven as a whole: the next candidate follows.
   void reject_branch() noexcept { job = Job::kBranch; }
+  /// The draft is proven, and needs an answer whether it may be flown.
+  void ask_for_clearance() noexcept;
+  /// It may be flown.
+  void clear() noexcept { job = Job::kCleared; }
+  /// Waits for the end of a slide, then begins to prove the draft once more. kFailed if it cannot be proven.
+  Progress begin_renewal(const FlightFacts& flight, Draft& draft) noexcept;
   /// Boxes were marked. If the draft is being proven, its proof begins anew on the map as it is now.
   void prove_anew() noexcept;
 

@@ -64,6 +64,8 @@ struct Evasion {
 
   void ask_for_stop() noexcept { stop_asked = true; }
   void forget_stop() noexcept { stop_asked = false; }
+  /// Brakes for nothing but threats: any other needs a clearance.
+  void forget_wishes() noexcept { stop_asked = slow_asked = false; }
   void ask_to_slow() noexcept { slow_asked = true; }
   /// The threat is gone or new: brakes may be tried again.
   void note_news() noexcept { was_tried = false; }

@@ -93,6 +93,19 @@ Status Flight::forget_track(uint32_t id) noexcept {
   return state_ != nullptr && state_->facts.tracks.forget(id) ? Status::kOk : Status::kInvalidArgument;
 }
 
+uint32_t Flight::proposal(Trajectory& plan, int64_t& takeover) const noexcept {
+  if (state_ == nullptr || state_->cycle.job != Job::kAnswer) return 0;
+  const FlightClock& clock = state_->facts.clock;
+  plan = state_->draft.plan.trajectory;
+  plan.begin = clock.shown_at(state_->draft.plan.begin());
+  takeover = clock.shown_at(state_->draft.takeover);
+  return state_->cycle.question;
+}
+
+Status Flight::answer(uint32_t number, bool may_fly) noexcept {
+  return state_ == nullptr ? Status::kInvalidArgument : state_->answer(number, may_fly);
+}
+
 int64_t Flight::rest_clear_until() const noexcept {
   return state_ == nullptr ? INT64_MAX : state_->facts.rest_clear_until();
 }

@@ -109,6 +109,14 @@ std::uint8_t tern_flight_forget_track(tern_flight* flight, std::uint32_t id) {
   return code(object(flight).forget_track(id));
 }
 
+std::uint32_t tern_flight_proposal(const tern_flight* flight, tern_trajectory* plan, std::int64_t* takeover) {
+  return plan == nullptr || takeover == nullptr ? 0 : object(flight).proposal(*plan, *takeover);
+}
+
+std::uint8_t tern_flight_answer(tern_flight* flight, std::uint32_t number, bool may_fly) {
+  return code(object(flight).answer(number, may_fly));
+}
+
 std::int64_t tern_flight_rest_clear_until(const tern_flight* flight) {
   return object(flight).rest_clear_until();
 }

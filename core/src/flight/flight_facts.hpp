@@ -80,6 +80,8 @@ struct FlightFacts {
   bool rests_at(std::int64_t takeover) const noexcept { return takeover + 2 * spec.tick >= plans.rest_begins(); }
   /// At this takeover, the vehicle is faster than a plan may be that begins there.
   bool is_too_fast_at(std::int64_t takeover) const noexcept;
+  /// Ticks that are left to others to answer whether a plan may be flown.
+  std::int64_t clearance_ticks() const noexcept { return (spec.clearance + spec.tick - 1) / spec.tick; }
   bool is_stale() const noexcept { return spec.stale_after > 0 && time - frame_time > spec.stale_after; }
   /// A plan may end at this place: it keeps the radius and kAimVoxels from the window's faces.
   bool in_window(const Vec3& place) const noexcept;

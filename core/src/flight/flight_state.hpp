@@ -78,8 +78,10 @@ class FlightState {
   void choose_draft(bool planned) noexcept;
   Progress run_proof() noexcept;
   Progress run_confirm() noexcept;
+  Progress run_renewal() noexcept;
   Progress or_fail(Progress progress) noexcept;
   bool commit() noexcept;
+  Status answer(std::uint32_t number, bool may_fly) noexcept;
   void enter_draft() noexcept;
   void fail() noexcept;
   void give_up() noexcept;

@@ -12,7 +12,7 @@ namespace tern {
 void FlightState::begin_cycle() noexcept {
   const bool is_free = !facts.plans.has_waiting && !evasion.stop_asked && !watch.is_running;
   if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound() || look_out()) return;
-  draft.begin(facts, cycle.lead.ticks(facts.spec));
+  draft.begin(facts, cycle.lead.ticks(facts.spec) + facts.clearance_ticks());
   if (begin_lift()) return;
   const Commitment& in_flight = facts.plans.in_flight;
   const bool stays = facts.itinerary.is_reached_by(in_flight) || facts.itinerary.dwells_after(in_flight);
@@ -50,6 +50,9 @@ Progress FlightState::run_job() noexcept {
     case Job::kProve: return run_proof();
     case Job::kBranch: return or_fail(cycle.find_branch(facts, draft, tick_work));
     case Job::kConfirm: return run_confirm();
+    case Job::kAnswer: return Progress::kMore;
+    case Job::kCleared: return or_fail(cycle.begin_renewal(facts, draft));
+    case Job::kRenew: return run_renewal();
   }
   return Progress::kMore;
 }
@@ -144,6 +147,12 @@ Progress FlightState::run_confirm() noexcept {
   return Progress::kDone;
 }
 
+Progress FlightState::run_renewal() noexcept {
+  if (draft.proof.step(tick_work) == Status::kRunning) return Progress::kMore;
+  draft.proof.report().finding == Finding::kNone ? static_cast<void>(commit()) : fail();
+  return Progress::kDone;
+}
+
 /// The progress of a step. A step that fails ends the cycle.
 Progress FlightState::or_fail(Progress progress) noexcept {
   if (progress != Progress::kFailed) return progress;
@@ -151,14 +160,28 @@ Progress FlightState::or_fail(Progress progress) noexcept {
   return Progress::kDone;
 }
 
-/// Commits the draft. False, and nothing is committed, if it does not join the committed plan.
+/// Commits the draft, or asks whether it may be flown. A brake does not ask. False, and nothing is committed, if it
+/// does not join the committed plan.
 bool FlightState::commit() noexcept {
   if (!draft.joins_committed_plan(facts.plans, tick_work)) {
     fail();
     return false;
   }
-  enter_draft();
+  const bool asks = facts.spec.clearance > 0 && !evasion.is_running && cycle.job != Job::kRenew &&
+                    draft.changes_committed_plan(facts.plans);
+  asks ? cycle.ask_for_clearance() : enter_draft();
   return true;
+}
+
+Status FlightState::answer(std::uint32_t number, bool may_fly) noexcept {
+  if (cycle.job != Job::kAnswer || number != cycle.question) return Status::kInvalidArgument;
+  if (may_fly) {
+    cycle.clear();
+  } else {
+    ++report.failed;
+    cycle.leave();
+  }
+  return Status::kOk;
 }
 
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle

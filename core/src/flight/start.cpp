@@ -24,6 +24,7 @@ constexpr double kMostNear = 2.5;
 
 /// Ranges of the spec's numbers.
 constexpr std::uint32_t kLeastWork = 256;
+/// Of a tick, and of the time for an answer.
 constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
 constexpr double kLeastYawRate = 1e-3;
 constexpr double kFullTurn = 6.2831853071795865;  // 2 pi, rounded up
@@ -61,6 +62,7 @@ Verdict check_ranges(const FlightSpec& spec) {
   if (spec.near < 0.0) return invalid(Field::kNear);
   if (spec.yaw_rate < kLeastYawRate) return invalid(Field::kYawRate);
   if (!sensor_valid(spec.sensor)) return invalid(Field::kSensor);
+  if (spec.clearance < 0 || spec.clearance > kLongestTick) return invalid(Field::kClearance);
   return spec.stale_after >= 0 ? kAccepted : invalid(Field::kStaleAfter);
 }
 

@@ -96,14 +96,16 @@ void FlightState::advance() noexcept {
   }
   if (is_busy() && facts.time > draft.deadline) {
     ++report.dropped;
-    evasion.is_running ? evasion.miss(facts.itinerary.has_goal) : cycle.lead.note_late();
-    give_up();
+    if (evasion.is_running) evasion.miss(facts.itinerary.has_goal);
+    if (!evasion.is_running && cycle.job != Job::kAnswer) cycle.lead.note_late();
+    cycle.job == Job::kAnswer ? cycle.leave() : give_up();
   }
+  if (facts.spec.clearance > 0) evasion.forget_wishes();
   if (evasion.is_called_for(facts, watch, is_busy(), draft.takeover)) begin_evasion();
   if (!is_busy()) begin_cycle();
   prove_anew();
   // A cycle has at most as many steps as jobs and candidates.
-  constexpr int kSteps = 16 + 2 * kBranches * kBranchShapes;
+  constexpr int kSteps = 20 + 2 * kBranches * kBranchShapes;
   Progress progress = Progress::kDone;
   for (int step = 0; step < kSteps && progress == Progress::kDone && is_busy(); ++step) {
     progress = evasion.is_running ? run_evasion() : run_job();

@@ -41,8 +41,9 @@ enum class FlightEventKind : std::uint8_t {
   kLand,
   kTrack,
   kForgetTrack,
+  kAnswer,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kForgetTrack);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kAnswer);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 
@@ -125,6 +126,7 @@ void list_flight_spec(Words& words, Spec& spec) {
   words(spec.sensor.nearest);
   words(spec.sensor.offset);
   words(spec.sensor.raised);
+  words(spec.clearance);
 }
 
 template <typename Words, typename AnyHeading>

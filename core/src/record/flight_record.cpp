@@ -104,6 +104,13 @@ Status FlightRecorder::forget_track(uint32_t id, Status answer) noexcept {
   return event.end();
 }
 
+Status FlightRecorder::answer(uint32_t number, bool may_fly, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kAnswer, answer);
+  event.words()(number);
+  event.words()(may_fly);
+  return event.end();
+}
+
 Status FlightRecorder::tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept {
   Event event(*this, FlightEventKind::kTick, answer);
   if (!event.is_open()) return event.end();

@@ -168,6 +168,11 @@ std::uint8_t tern_flight_record_forget_track(tern_flight_recorder* recorder, std
   return record(recorder, true, [=](FlightRecorder& r) { return r.forget_track(id, status(answer)); });
 }
 
+std::uint8_t tern_flight_record_answer(tern_flight_recorder* recorder, std::uint32_t number, bool may_fly,
+                                       std::uint8_t answer) {
+  return record(recorder, true, [=](FlightRecorder& r) { return r.answer(number, may_fly, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_flight* flight, std::int64_t t,
                                      const tern_flight_report* report, std::uint8_t answer) {
   return record(recorder, flight != nullptr && report != nullptr,

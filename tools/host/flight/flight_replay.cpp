@@ -87,6 +87,8 @@ class Player {
         return update_track(event);
       case FlightEventKind::kForgetTrack:
         return flight_.forget_track(read<std::uint32_t>(event));
+      case FlightEventKind::kAnswer:
+        return answer(event);
     }
     return Status::kRecordDamaged;
   }
@@ -212,6 +214,11 @@ class Player {
       events_.refuse(event, "has a count that is out of range");
     }
     return flight_.update_track(track);
+  }
+
+  Status answer(FlightEvent& event) {
+    const auto number = read<std::uint32_t>(event);
+    return flight_.answer(number, read<bool>(event));
   }
 
   /// What was flown until then took as long as the ticks say.

@@ -13,9 +13,8 @@ constexpr int32_t kVoxels = tern::kMaxCells < 524288 ? static_cast<int32_t>(tern
 constexpr int32_t kPixels = 4096;  // of scans: 6 * (2.5 / kScanPixel)^2 at least
 constexpr size_t kMapWords = kVoxels / 8 + kVoxels / 512 + kPixels / 2 + 1024;
 // A grid and the layers of lookouts; the state, with its plans and what they keep of things that move.
-constexpr size_t kFlightWords =
-    kVoxels / 32 + kVoxels / 2048 + kVoxels / 56 + 4800 + 285 * tern::kMaxSegments + 100 * tern::kMaxFlightTracks +
-    25 * tern::kMaxFlightPieces;
+constexpr size_t kFlightWords = kVoxels / 32 + kVoxels / 2048 + kVoxels / 56 + 4800 + 285 * tern::kMaxSegments +
+                                100 * tern::kMaxFlightTracks + 25 * tern::kMaxFlightPieces;
 
 // How it flies.
 constexpr double kHeights = 0.3;          // m above and below start and goal that a flight with sensors uses
