@@ -91,6 +91,22 @@ TEST_F(Floods, TakeTheShortestTimeIfNothingMoves) {
   EXPECT_EQ(run(), Progress::kFailed);
 }
 
+/// Four layers for two steps: no way is more than a step too far along x, or two beside.
+TEST_F(Floods, LeaveOutWhatIsTooFarOff) {
+  query_.from = {4.0, 2.0, 1.0};
+  query_.to = {4.8, 2.0, 1.0};
+  ASSERT_EQ(run(), Progress::kDone);
+  const double soonest = arrival();
+  EXPECT_EQ(flood_->lattice.cells.x, 19);
+  EXPECT_EQ(flood_->lattice.cells.y, 9);
+  query_.longest = 1.3;
+  ASSERT_EQ(run(), Progress::kDone);
+  expect_way();
+  EXPECT_EQ(arrival(), soonest);
+  EXPECT_EQ(flood_->lattice.cells.x, 5);
+  EXPECT_EQ(flood_->lattice.cells.y, 5);
+}
+
 TEST_F(Floods, WaitUntilTheWayOpens) {
   Track wall;
   wall.position = {4.0, 2.0, 1.0};

@@ -22,6 +22,11 @@ bool any_bit(const std::uint64_t* words, std::int32_t begin, std::int32_t count)
   return (bits & (kAllBits >> (kWordBits - count))) != 0;
 }
 
+void count_words(FloodLattice& lattice) {
+  lattice.row_words = words_for(lattice.cells.x);
+  lattice.words = lattice.row_words * lattice.cells.y * lattice.cells.z;
+}
+
 }  // namespace
 
 FloodLattice lay_out(const Grid& grid, const Vec3& middle, std::int32_t edge) noexcept {
@@ -38,9 +43,16 @@ FloodLattice lay_out(const Grid& grid, const Vec3& middle, std::int32_t edge) no
     axis(lattice.low, a) = inside.begin + (cells > 0 ? skipped : 0);
     axis(lattice.cells, a) = cells > 0 ? cells : 1;
   }
-  lattice.row_words = words_for(lattice.cells.x);
-  lattice.words = lattice.row_words * lattice.cells.y * lattice.cells.z;
+  count_words(lattice);
   return lattice;
+}
+
+void keep_cells(const Voxel& low, const Voxel& high, FloodLattice& lattice) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    axis(lattice.low, a) += lattice.edge * axis(low, a);
+    axis(lattice.cells, a) = axis(high, a) - axis(low, a) + 1;
+  }
+  count_words(lattice);
 }
 
 Voxel cell_at(const FloodLattice& lattice, const Grid& grid, const Vec3& point) noexcept {
