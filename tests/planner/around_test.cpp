@@ -99,6 +99,17 @@ TEST_F(Scenes, WhatComesHeadOnIsPassed) {
   EXPECT_LT(beside, 1.02 * alone);
 }
 
+/// An optimiser that takes long, with a budget that ends it early: there is enough left to lead a plan around a thing.
+TEST_F(Scenes, ABudgetLastsForTheWayAround) {
+  world_.request.limits.j_max = {8.0, 8.0, 8.0};
+  world_.request.time_weight = 1000.0;
+  world_.request.budget.trajectory = 1200;
+  EXPECT_GT(plan({}), 7.0);
+  EXPECT_EQ(world_.report.optimiser, Status::kBudgetOptimise);
+  EXPECT_GT(plan({ball({18.0, 5.0, 1.5}, {-1.0, 0.0, 0.0})}), 7.0);
+  EXPECT_GE(world_.report.diagnostics.seed, 1);
+}
+
 TEST_F(Scenes, WhatOvertakesIsLetPast) {
   const double let_past = plan({ball({-2.0, 5.0, 1.5}, {2.2, 0.0, 0.0})});
   EXPECT_GT(let_past, 7.0);

@@ -12,8 +12,8 @@ namespace {
 
 /// The part of a plan's units that the optimiser may spend: if it needs more, it answers with the best plan so far.
 constexpr std::uint32_t kOptimiserPart = 2;
-/// The part that may go into ways among things that move. A plan that takes longer than it may is dropped, and the next
-/// one begins later: meanwhile, the things move on.
+/// Among things that move, the part that may go into ways and times. The optimiser may spend the rest. A plan that
+/// takes longer than it may is dropped, and the next one begins later: meanwhile, the things move on.
 constexpr std::uint32_t kTracksPart = 4;
 /// Operations of a plan or a route without the planner's: choosing an aim and a draft, and copies of trajectories.
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
@@ -71,8 +71,9 @@ Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work&
   request.track_count = expected.count;
   request.rest_clear = expected.count > 0 ? kRestClear : 0.0;
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
-  request.budget.trajectory = flight.spec.plan_work / kOptimiserPart;
   request.budget.tracks = flight.spec.plan_work / kTracksPart;
+  request.budget.trajectory =
+      expected.count > 0 ? flight.spec.plan_work - request.budget.tracks : flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(takeover);

@@ -59,6 +59,11 @@ constexpr bool may_lead_around(Quality quality, bool has_corridor) noexcept {
   return has_corridor && (quality == Quality::kOptimised || quality == Quality::kStopAndGo);
 }
 
+/// Tenths of Budget::trajectory that are kept while the plan as if nothing moved is made, and while the first one
+/// around things is. Without them, a plan that takes long to improve would leave nothing to lead one around a thing.
+constexpr int kKeptAlone = 6;
+constexpr int kKeptFirst = 3;
+
 /// The durations of the plan as if nothing moved are lengthened by this factor: the way around is longer.
 constexpr double kAroundSlack = 1.04;
 /// A plan that lasts longer than that one by no more than this factor is good enough.

@@ -101,4 +101,13 @@ void Pipeline::give_up_around() noexcept {
   enter(Stage::kTracks);
 }
 
+/// Of the current stage's budget, what is for later seeds.
+Operations Pipeline::kept_for_seeds() const noexcept {
+  const std::uint32_t budget = problem_.asked.budget.trajectory;
+  const Around& around = attempts_.around;
+  const bool is_last = around.is_active && around.seed > 0;
+  if (stage_ != Stage::kTrajectory || problem_.thing_count == 0 || budget == kNoBudget || is_last) return 0;
+  return kUnit * budget * (around.is_active ? kKeptFirst : kKeptAlone) / 10;
+}
+
 }  // namespace tern

@@ -57,8 +57,6 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searche
   return times.goals;
 }
 
-/// A budget that is not limited: more than any plan takes.
-constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
 constexpr Operations kNoLimit = Operations{1} << 62;
 
 /// A budget and the stages that share it; kRequest, which is not counted, stands for none.

@@ -42,6 +42,9 @@ StageBound windows_bound() noexcept;
 /// The most proofs of the stage that looks for a time.
 constexpr int kTimedProofs = kWaitingTries + 2 + kGoalLooks + kGoalHalvings;
 
+/// A budget that is not limited: more than any plan takes.
+constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
+
 /// The caller's clock; none if `now` is null.
 struct Clock {
   ClockFn now;

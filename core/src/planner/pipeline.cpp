@@ -151,7 +151,7 @@ Progress Pipeline::advance(Work& work) noexcept {
   ledger_.begin_slice();
   work.spend(begun_);
   begun_ = 0;
-  const Operations left = ledger_.left(stage, problem_.asked.budget);
+  const Operations left = ledger_.left(stage, problem_.asked.budget) - kept_for_seeds();
   Share slice(work, left);
   Progress progress = run(slice.part);
   if (progress == Progress::kMore && is_full(slice.spent() >= left)) progress = end_for_budget(slice.part);

@@ -94,6 +94,7 @@ class Pipeline {
   void judge_around(bool is_clear) noexcept;
   void next_seed() noexcept;
   void give_up_around() noexcept;
+  Operations kept_for_seeds() const noexcept;
 
   /// The trajectory in memory is the previous plan.
   bool follows() const noexcept { return quality_ == Quality::kPrevious; }
