@@ -90,6 +90,39 @@ TEST(FlightSharpStop, IsNoLongerThanAnyOther) {
   }
 }
 
+/// Ramps of 1.5 * 8 / 30 and 1.2 * 8 / 30 seconds, each with what is left of 4 m/s at 8 m/s^2 between them.
+TEST(FlightSharpStop, FlatRampsAreShorter) {
+  const JointState from{{kZero, {4.0, 0.0, 0.0}, kZero, kZero}};
+  Trajectory sharp{};
+  ASSERT_TRUE(append_sharp_stop(from, limits_of(30.0), sharp));
+  EXPECT_NEAR(duration(sharp), 0.9, 1e-4);
+  EXPECT_NEAR(way_to_rest(sharp), 4.0 * 0.9 / 2.0, 1e-3);
+  Trajectory flat{};
+  ASSERT_TRUE(append_flat_stop(from, limits_of(30.0), flat));
+  EXPECT_NEAR(duration(flat), 0.82, 1e-4);
+  EXPECT_NEAR(way_to_rest(flat), 4.0 * 0.82 / 2.0, 1e-3);
+}
+
+TEST(FlightSharpStop, FlatRampsKeepTheLimits) {
+  Random random(9);
+  const Limits limits = limits_of(30.0);
+  int made = 0;
+  for (int k = 0; k < tern_test::scaled(1000); ++k) {
+    const JointState from{{kZero, random_vector(random, 4.0), random_vector(random, 5.0), random_vector(random, 25.0)}};
+    Trajectory sharp{};
+    Trajectory flat{};
+    if (!append_flat_stop(from, limits, flat)) continue;
+    ++made;
+    expect_within(flat, limits);
+    expect_joined(flat, from);
+    if (append_sharp_stop(from, limits, sharp)) {
+      EXPECT_LE(duration(flat), duration(sharp) + 0.02) << k;
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(made, tern_test::scaled(1000) / 2);
+}
+
 TEST(FlightSharpStop, KeepsTheVehiclesLimits) {
   Random random(8);
   int made = 0;

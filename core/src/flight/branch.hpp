@@ -65,6 +65,9 @@ constexpr int kEvasions = kStraight + kSlowDowns;
 /// False if there is no room, or if no such brake keeps the limits.
 bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;
 
+/// The same with flatter ramps: where only the limit on jerk makes them long, they are a fifth shorter.
+bool append_flat_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;
+
 /// How long slow-down `way` of 0 .. kSlowDowns - 1 takes from this velocity, seconds. On a straight path flown at a
 /// constant speed, the sharpest one brakes at the limit of acceleration or of jerk.
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept;

@@ -71,6 +71,10 @@ bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
   plan.branch = at;
   take_first_part(plan.planned, at, plan.trajectory);
   const JointState joint = joint_at(plan.planned, at, plan.planned.origin);
+  if (way == 0 && plan.tubes.count > 0) {
+    if (!append_flat_stop(joint, flight.limits, plan.trajectory)) return false;
+    return plan.trajectory.segments[plan.trajectory.count - 1].duration >= kShortestRamp;
+  }
   return append_stop(joint, flight.limits, way, stop, plan.trajectory) && stop.segments[0].duration >= kShortestRamp;
 }
 

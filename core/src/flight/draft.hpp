@@ -43,7 +43,8 @@ struct Draft {
   void list_passages(const Aim& aim, const Report& found, const Trajectory& planned) noexcept;
   /// Follows the planner's plan to its end, which is `until` seconds from its beginning.
   void follow_to_end(double until) noexcept;
-  /// Follows the planner's plan until `at`, then brakes in one of kBranchShapes ways. False if there is no such brake.
+  /// Follows the planner's plan until `at`, then brakes in one of kBranchShapes ways. Among things that move, the first
+  /// one is the flat stop: what a thing may do grows with the time that a brake takes. False if there is no such brake.
   bool branch_off(const FlightFacts& flight, double at, int way) noexcept;
   /// Becomes brake number `number` of an evasion. False if there is no such brake.
   bool brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept;
