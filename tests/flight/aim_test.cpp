@@ -4,6 +4,8 @@
 // Where a flight leads, and where it looks.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "base/math.hpp"
 #include "support/flight_room.hpp"
 #include "support/same.hpp"
@@ -285,6 +287,70 @@ TEST(FlightAim, NewGoalDuringTheProofOfTheRestDropsIt) {
     Work work{100000};
     ASSERT_EQ(state.cycle.prove_remainder(state.facts, state.draft, work), Progress::kDone);
     EXPECT_EQ(state.cycle.remainder_is_free, !moves);
+  }
+}
+
+/// A ball of 0.3 m that comes to rest at a place after a second.
+Track resting_at(const Vec3& place, const TrackPiece& still) {
+  Track track;
+  track.position = place;
+  track.radius = 0.3;
+  track.pieces = &still;
+  track.piece_count = 1;
+  return track;
+}
+
+// With 0.5 m kept and voxels of 0.25 m, a vehicle may end 0.925 m from its centre, and does so from 1.05 m.
+TEST(FlightAim, LeavesRoomForWhatRestsThere) {
+  const TrackPiece still{1.0, {}};
+  const auto things = std::make_unique<TrackTable>();
+  things->count = 1;
+  const auto place_for = [&](const Vec3& goal, bool& moves) {
+    Aim aim{};
+    aim.start.d[0] = {0.0, 0.0, 1.0};
+    aim.place = goal;
+    aim.at_target = true;
+    moves = aim.leave_room(*things, 0.5, 0.25);
+    EXPECT_NE(aim.at_target, moves);
+    return aim.place;
+  };
+  bool moves = false;
+  things->tracks[0] = resting_at({10.0, 0.0, 1.0}, still);
+  EXPECT_NEAR(place_for({10.0, 0.0, 1.0}, moves).x, 8.95, 1e-12);
+  EXPECT_TRUE(moves);
+  EXPECT_NEAR(place_for({10.5, 0.0, 1.0}, moves).x, 8.95, 1e-12);
+  EXPECT_EQ(place_for({9.0, 0.0, 1.0}, moves).x, 9.0);
+  EXPECT_FALSE(moves);
+  EXPECT_NEAR(place_for({10.0, 0.84, 1.0}, moves).x, 10.0 - 0.63, 0.1);  // back along a way that passes beside it
+  // Where there is no room on the way, it stays at its start.
+  EXPECT_EQ(place_for({0.5, 0.0, 1.0}, moves).x, 0.5);
+  things->tracks[0] = resting_at({0.5, 0.0, 1.0}, still);
+  EXPECT_EQ(place_for({0.6, 0.0, 1.0}, moves).x, 0.0);
+  EXPECT_TRUE(moves);
+  // Out of the reach of one into that of the next.
+  things->count = 2;
+  things->tracks[0] = resting_at({10.0, 0.0, 1.0}, still);
+  things->tracks[1] = resting_at({9.0, 0.0, 1.0}, still);
+  EXPECT_NEAR(place_for({10.0, 0.0, 1.0}, moves).x, 7.95, 1e-12);
+  // What stands still for certain counts likewise. What may move does not, nor what will be gone.
+  things->count = 1;
+  things->tracks[0].pieces = nullptr;
+  things->tracks[0].piece_count = 0;
+  EXPECT_NEAR(place_for({10.0, 0.0, 1.0}, moves).x, 8.95, 1e-12);
+  things->tracks[0].error_growth = 1.0;
+  EXPECT_EQ(place_for({10.0, 0.0, 1.0}, moves).x, 10.0);
+  things->tracks[0] = resting_at({10.0, 0.0, 1.0}, still);
+  things->tracks[0].end = TrackEnd::kGone;
+  EXPECT_EQ(place_for({10.0, 0.0, 1.0}, moves).x, 10.0);
+}
+
+// Plans that fail because of things that move lead half as far, thrice; then the whole way again.
+TEST(FlightAim, ShorterPlansFollowThoseThatMetThings) {
+  FlightRoom room;
+  Cycle& cycle = room.state().cycle;
+  for (const double part : {1.0, 0.5, 0.25, 0.125, 1.0, 0.5}) {
+    EXPECT_EQ(cycle.horizon(room.state().facts), part * room.spec.horizon);
+    ++cycle.met_things;
   }
 }
 

@@ -94,7 +94,7 @@ TEST(FlightCurves, AnotherCurveIsNews) {
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 
-// The vehicle stays where its curve ends, at the goal: the flight waits for it to leave.
+// The vehicle stays where its curve ends, at the goal: the flight goes as near as it may, and waits for it to leave.
 TEST(FlightCurves, WhatRestsAtTheGoalIsWaitedFor) {
   FlightRoom room;
   const Vec3 goal{6.125, 0.125, 1.125};
@@ -103,6 +103,8 @@ TEST(FlightCurves, WhatRestsAtTheGoalIsWaitedFor) {
   EXPECT_EQ(room.flight.update_track(vehicle(9, goal, still, 0)), Status::kOk);
   room.flight.set_goal(goal);
   EXPECT_FALSE(room.tick_until([&] { return room.report.reason == FlightReason::kArrived; }, 800));
+  EXPECT_EQ(room.speed(), 0.0);
+  EXPECT_NEAR(distance(room.position(), goal), kBall + FlightRoom::kRadius + FlightRoom::kCell, 1e-6);
   EXPECT_EQ(room.flight.update_track(vehicle(9, goal, leaves, room.time)), Status::kOk);
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }

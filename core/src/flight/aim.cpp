@@ -13,6 +13,33 @@ namespace {
 constexpr std::int32_t kMaxWayOut = 8;
 /// Voxels around the vehicle that are looked at for a free one, likewise.
 constexpr std::int32_t kMostBack = 4;
+/// How often a place is moved back to make room: each time out of the reach of one more vehicle.
+constexpr int kMostMoves = 8;
+
+/// True if it is known where the thing comes to rest: its curve ends, or it stands still for certain.
+bool has_rest(const Track& track) {
+  const bool stands = same(track.velocity, kZero) && !(track.error_speed + track.error_growth + track.reach > 0.0);
+  return track.end != TrackEnd::kGone && (track.piece_count > 0 || stands);
+}
+
+Vec3 rest_of(const Track& track) {
+  return track.piece_count > 0 ? track.position + track.pieces[track.piece_count - 1].points[kDegree] : track.position;
+}
+
+/// How far from the centre of a thing that rests a vehicle may rest, at least.
+double room_of(const Track& track, double clearance) {
+  const double size = track.shape == TrackShape::kBall ? track.radius : track.radius + length(track.half);
+  return clearance + size + track.error;
+}
+
+/// The first thing that comes to rest too near to this place; null if there is none.
+const Track* resting_at(const TrackTable& things, const Vec3& place, double clearance) {
+  for (std::int32_t k = 0; k < things.count; ++k) {
+    const Track& track = things.tracks[k];
+    if (has_rest(track) && distance(rest_of(track), place) < room_of(track, clearance)) return &track;
+  }
+  return nullptr;
+}
 
 }  // namespace
 
@@ -185,6 +212,23 @@ void Aim::move_to_reachable(const Vec3& reachable) noexcept {
   place = reachable;
   at_reachable = true;
   at_target = beside_target = false;
+}
+
+bool Aim::leave_room(const TrackTable& things, double clearance, double cell) noexcept {
+  const Vec3& from = place_before_target();
+  for (int move = 0; move < kMostMoves; ++move) {
+    const Track* const there = resting_at(things, place, clearance + 0.5 * cell);
+    const double far = distance(from, place);
+    if (there == nullptr || !(far > 0.0)) return move > 0;
+    const Vec3 back = (1.0 / far) * (from - place);
+    const Vec3 off = place - rest_of(*there);
+    const double room = room_of(*there, clearance + cell);
+    const double along = dot(off, back);
+    const double step = square_root(larger(0.0, along * along - dot(off, off) + room * room)) - along;
+    lead_to(step < far ? place + step * back : from);
+    beside_target = moved = false;
+  }
+  return true;
 }
 
 void Aim::return_to_line(const FlightFacts& flight) noexcept {

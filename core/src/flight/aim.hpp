@@ -59,6 +59,10 @@ struct Aim : Destination {
   /// `followed` ends beside the same target, further from it by `slack` at most, the new plan ends there, too. Null:
   /// none is followed.
   void end_beside(const Commitment* followed, double slack) noexcept;
+  /// If a thing that stands still, or whose curve ends, comes to rest too near to the place, moves the place back along
+  /// the straight line from the last point to pass, as far as it must, or to that point: true if it did. `cell`: edge
+  /// of a voxel.
+  bool leave_room(const TrackTable& things, double clearance, double cell) noexcept;
   void move_to_reachable(const Vec3& reachable) noexcept;
   /// Leads to the point one horizon along the straight line, because there is no path.
   void return_to_line(const FlightFacts& flight) noexcept;

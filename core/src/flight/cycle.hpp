@@ -68,15 +68,16 @@ struct Cycle {
   Aim aim;
   Trajectory plan;  ///< the planner's trajectory
   Job job;
-  bool all_free;           ///< no unseen voxel is solid in the route copy
-  bool is_last_resort;     ///< the vehicle rests and looks around, because nothing else helped
-  bool hemmed_in;          ///< something is within the radius of where the vehicle rests
-  bool leads_out;          ///< the plan leads away from what is within the radius
-  bool steps_back;         ///< the plan leads to the nearest voxel that is free for all that is known
-  bool remainder_is_free;  ///< the remainder of the planner's plan in flight is free on the route copy
-  bool looks_out;          ///< the plan leads to a lookout, or to a place on the way to one
-  std::uint32_t question;  ///< number of the last draft that waits, or waited, for an answer
-  bool cut_off;            ///< no way leads to the target, and the vehicle rests as near to it as it can
+  bool all_free;             ///< no unseen voxel is solid in the route copy
+  bool is_last_resort;       ///< the vehicle rests and looks around, because nothing else helped
+  bool hemmed_in;            ///< something is within the radius of where the vehicle rests
+  bool leads_out;            ///< the plan leads away from what is within the radius
+  bool steps_back;           ///< the plan leads to the nearest voxel that is free for all that is known
+  bool remainder_is_free;    ///< the remainder of the planner's plan in flight is free on the route copy
+  bool looks_out;            ///< the plan leads to a lookout, or to a place on the way to one
+  std::uint32_t question;    ///< number of the last draft that waits, or waited, for an answer
+  bool cut_off;              ///< no way leads to the target, and the vehicle rests as near to it as it can
+  std::uint32_t met_things;  ///< plans in a row that failed because of things that move
   BranchSearch branches;
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
 
@@ -95,7 +96,11 @@ struct Cycle {
   /// Chooses another aim.
   void choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
   Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
+  /// kFailed if the vehicle rests, and things leave it no place to go to.
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
+  /// How far ahead the next plan leads, m. Each plan in a row that failed because of things that move leads half as far
+  /// as the one before, down to an eighth of FlightSpec::horizon; then the next one leads all of it again.
+  double horizon(const FlightFacts& flight) const noexcept;
   /// The planner is done. `found` says what it found.
   Status finish(Report& found) noexcept;
   /// The route that was found.

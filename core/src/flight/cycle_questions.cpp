@@ -54,7 +54,11 @@ bool is_target_occupied(const FlightFacts& flight, const Aim& aim) {
 
 /// Asks for a plan to the aim; if the aim is further away than the horizon, for a route to it.
 void Cycle::ask(const FlightFacts& flight) noexcept {
-  job = aim.way_length(aim.place) > flight.spec.horizon ? Job::kAskRoute : Job::kAskPlan;
+  job = aim.way_length(aim.place) > horizon(flight) ? Job::kAskRoute : Job::kAskPlan;
+}
+
+double Cycle::horizon(const FlightFacts& flight) const noexcept {
+  return flight.spec.horizon / static_cast<double>(1u << (met_things % 4));
 }
 
 Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
@@ -65,6 +69,9 @@ Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
 }
 
 Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept {
+  const double cell = flight.map.safe().spec().cell;
+  const bool makes_room = aim.leave_room(expected, flight.map.safe().spec().clearance(), cell);
+  if (makes_room && flight.rests_at(takeover) && distance(aim.place, aim.start.d[0]) < cell) return Progress::kFailed;
   Request request = request_to(aim, flight);
   request.begin = takeover;
   request.tracks = expected.tracks;
@@ -98,7 +105,7 @@ FoundRoute Cycle::route_found() const noexcept {
 }
 
 void Cycle::follow_route(const FlightFacts& flight) noexcept {
-  aim.shorten(*planner->path(), route.grid().spec(), flight.spec.horizon, flight.itinerary);
+  aim.shorten(*planner->path(), route.grid().spec(), horizon(flight), flight.itinerary);
   job = Job::kAskPlan;
 }
 

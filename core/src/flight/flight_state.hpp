@@ -72,6 +72,7 @@ class FlightState {
   bool look_out() noexcept;
   Progress run_job() noexcept;
   Progress choose_aim() noexcept;
+  Progress ask_plan() noexcept;
   Progress end_planner() noexcept;
   void end_without_plan(const Report& found) noexcept;
   bool note_fault(const Report& found) noexcept;

@@ -43,7 +43,7 @@ Progress FlightState::run_job() noexcept {
     case Job::kRemainder: return cycle.prove_remainder(facts, draft, tick_work);
     case Job::kAim: return choose_aim();
     case Job::kAskRoute: return cycle.ask_route(facts, tick_work);
-    case Job::kAskPlan: return cycle.ask_plan(facts, draft.takeover, tick_work);
+    case Job::kAskPlan: return ask_plan();
     case Job::kRoute:
     case Job::kPlan: return cycle.planner->step(tick_work) == Status::kRunning ? Progress::kMore : end_planner();
     case Job::kWait: return or_fail(cycle.begin_proof(facts, draft));
@@ -63,6 +63,13 @@ Progress FlightState::choose_aim() noexcept {
   facts.itinerary.clear_suspicion(facts);
   cycle.choose_aim(facts, lookouts, draft.takeover);
   return Progress::kDone;
+}
+
+/// What rests at its aim will leave, or not: until then the vehicle waits.
+Progress FlightState::ask_plan() noexcept {
+  const Progress progress = cycle.ask_plan(facts, draft.takeover, tick_work);
+  if (progress == Progress::kFailed) block = {BlockedBy::kTrack, cycle.aim.target_place, kNoFence};
+  return or_fail(progress);
 }
 
 Progress FlightState::end_planner() noexcept {
@@ -89,6 +96,7 @@ Progress FlightState::end_planner() noexcept {
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(facts.itinerary)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
+  if (is_by_track(found.status)) ++cycle.met_things;
   if (note_fault(found)) return give_up();
   const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, found, draft.takeover)
                                                  : cycle.next_after_plan(facts, found, draft.takeover);
@@ -193,6 +201,7 @@ void FlightState::enter_draft() noexcept {
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
   cycle.leave();
+  cycle.met_things = 0;
   evasion.leave();
   if (draft.changes_committed_plan(facts.plans)) ++report.committed;
   search.note_commit();
