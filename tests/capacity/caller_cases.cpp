@@ -9,6 +9,7 @@
 #include "support/owned_map.hpp"
 #include "support/world.hpp"
 #include "support/yaw_case.hpp"
+#include "tern/fleet.hpp"
 #include "tern/flight.hpp"
 #include "tern/flight_record.hpp"
 #include "tern/record.hpp"
@@ -108,6 +109,18 @@ Status plan_across(int count) {
   return world.plan();
 }
 
+/// A fleet of so many other members.
+Status meet(int count) {
+  tern::FleetSpec spec;
+  spec.incarnation = 1;
+  spec.radius = 0.5;
+  spec.tick = 1;
+  static tern::Fleet fleet;
+  Status status = fleet.begin(spec, tern_test::hover(1.0), 0);
+  for (int id = 1; id <= count && status == Status::kOk; ++id) status = fleet.add(static_cast<std::uint16_t>(id), 0);
+  return status;
+}
+
 /// A wall across the way for good, in an empty grid of so many voxels.
 Status plan_through(const tern::Voxel& dims, std::uint32_t budget = tern::Budget{}.tracks) {
   World world(dims, 0.1, 0.0);
@@ -136,6 +149,8 @@ std::vector<Exceeded> request_capacities() {
       {"TERN_MAX_TRACK_PIECES", Status::kTrackPiecesFull,
        [] { return plan_among(1, tern::kMaxTrackPieces) == Status::kOk; },
        [] { return plan_among(1, tern::kMaxTrackPieces + 1); }},
+      {"TERN_MAX_NEIGHBOURS", Status::kNeighboursFull, [] { return meet(tern::kMaxNeighbours) == Status::kOk; },
+       [] { return meet(tern::kMaxNeighbours + 1); }},
       {"TERN_MAX_SEPARATIONS", Status::kSeparationsFull, [] { return plan_across(1) == Status::kNoClearTime; },
        [] { return plan_across(tern::kMaxTracks); }},
       {"TERN_MAX_FLOOD_WORDS", Status::kFloodFull,

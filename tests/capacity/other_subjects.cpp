@@ -272,6 +272,7 @@ std::vector<std::unique_ptr<Subject>> other_subjects() {
   subjects.push_back(std::make_unique<MissionSubject>());
   subjects.push_back(std::make_unique<ProofSubject>());
   subjects.push_back(std::make_unique<TrackSubject>());
+  subjects.push_back(fleet_subject());
   return subjects;
 }
 

@@ -34,6 +34,7 @@ class Subject {
 std::unique_ptr<Subject> plan_subject(std::uint64_t seed);
 /// Everything that is neither a plan nor a flight: maps and their frames, yaws, records, missions, proofs.
 std::vector<std::unique_ptr<Subject>> other_subjects();
+std::unique_ptr<Subject> fleet_subject();
 /// Whole flights, with ten thousands of questions.
 std::vector<std::unique_ptr<Subject>> flight_subjects();
 

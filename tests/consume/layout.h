@@ -7,15 +7,17 @@
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
 #include "tern/tern_corridor.h"
+#include "tern/tern_fleet.h"
 #include "tern/tern_flight.h"
 #include "tern/tern_yaw.h"
 #include "tern_stacks/stacks.h"
 
-#define TERN_LAYOUT(FIELD) \
-  TERN_LAYOUT_IN(FIELD)    \
-  TERN_LAYOUT_OUT(FIELD)   \
-  TERN_LAYOUT_MAP(FIELD)   \
-  TERN_LAYOUT_FLIGHT(FIELD) TERN_LAYOUT_YAW(FIELD) TERN_LAYOUT_EXPORT(FIELD) TERN_LAYOUT_CORRIDOR(FIELD)
+#define TERN_LAYOUT(FIELD)  \
+  TERN_LAYOUT_IN(FIELD)     \
+  TERN_LAYOUT_OUT(FIELD)    \
+  TERN_LAYOUT_MAP(FIELD)    \
+  TERN_LAYOUT_FLIGHT(FIELD) \
+  TERN_LAYOUT_YAW(FIELD) TERN_LAYOUT_EXPORT(FIELD) TERN_LAYOUT_CORRIDOR(FIELD) TERN_LAYOUT_FLEET(FIELD)
 
 /* clang-format off */
 #define TERN_LAYOUT_IN(FIELD)                                                                                        \
@@ -47,6 +49,14 @@
   FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \
   FIELD(tern_request, time_weight) FIELD(tern_request, previous_time)                                                \
   FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
+
+#define TERN_LAYOUT_FLEET(FIELD)                                                                                     \
+  FIELD(tern_fleet_spec, id) FIELD(tern_fleet_spec, incarnation) FIELD(tern_fleet_spec, priority)                    \
+  FIELD(tern_fleet_spec, radius) FIELD(tern_fleet_spec, clock_error) FIELD(tern_fleet_spec, tick)                    \
+  FIELD(tern_fleet_spec, speed) FIELD(tern_fleet_report, announcement) FIELD(tern_fleet_report, blocked)             \
+  FIELD(tern_fleet_report, blocked_by) FIELD(tern_fleet_report, cleared) FIELD(tern_neighbour, id)                   \
+  FIELD(tern_neighbour, incarnation) FIELD(tern_neighbour, heard) FIELD(tern_neighbour, priority)                    \
+  FIELD(tern_neighbour, has_right_of_way) FIELD(tern_neighbour, has_left) FIELD(tern_neighbour, ready)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
   FIELD(tern_segment, duration) FIELD(tern_segment, points) FIELD(tern_segment, polyhedron)                          \

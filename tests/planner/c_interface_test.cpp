@@ -144,6 +144,7 @@ TEST(CInterface, EveryStatusHasItsConstant) {
       {TERN_PRIOR_FULL, "prior_full"},
       {TERN_RECORD_FULL, "record_full"},
       {TERN_TRACKS_FULL, "tracks_full"},
+      {TERN_NEIGHBOURS_FULL, "neighbours_full"},
       {TERN_TRACK_PIECES_FULL, "track_pieces_full"},
       {TERN_SEPARATIONS_FULL, "separations_full"},
       {TERN_FLOOD_FULL, "flood_full"},

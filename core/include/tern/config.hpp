@@ -137,6 +137,12 @@
 #define TERN_MAX_TRACK_PIECES TERN_DEFAULT(3, 8, 64, 512)
 #endif
 
+/// Other members of a fleet that a Fleet can know. Each takes 800 bytes of it, 208 for each segment and 13 for each of
+/// them. Beyond it: kNeighboursFull from Fleet::add.
+#ifndef TERN_MAX_NEIGHBOURS
+#define TERN_MAX_NEIGHBOURS TERN_DEFAULT(2, 8, 16, 128)
+#endif
+
 /// Planes that keep the segments of a plan off things that move, one for each segment and track that come near each
 /// other, and one more for each further piece of the track. Each takes 1.3 KB of the workspace. Beyond it: the plan is
 /// not led around them, and fails with kSeparationsFull if it cannot wait either.
@@ -193,6 +199,7 @@ constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
 constexpr int32_t kMaxVias = TERN_MAX_VIAS;
 constexpr int32_t kMaxTracks = TERN_MAX_TRACKS;
 constexpr int32_t kMaxTrackPieces = TERN_MAX_TRACK_PIECES;
+constexpr int32_t kMaxNeighbours = TERN_MAX_NEIGHBOURS;
 constexpr int64_t kMaxWorldWords = TERN_MAX_WORLD_WORDS;
 constexpr int kMaxSeparations = TERN_MAX_SEPARATIONS;
 constexpr int32_t kMaxFloodWords = TERN_MAX_FLOOD_WORDS;
@@ -216,6 +223,7 @@ static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 &
 static_assert(kMaxVias >= 1 && kMaxVias <= 1024, "sizes of reports are small");
 static_assert(kMaxTracks >= 1 && kMaxTracks <= 1024 && kMaxTrackPieces >= 1 && kMaxTrackPieces <= 65536,
               "indices and bounds of work are small");
+static_assert(kMaxNeighbours >= 1 && kMaxNeighbours <= 1024, "a state fits in 16 bits");
 static_assert(kMaxSeparations >= 1 && kMaxSeparations <= 4096, "points of a programme are 8 for each");
 static_assert(kMaxFloodWords >= 64 && kMaxFloodWords <= (1 << 26), "sizes of layers are 32 bits");
 static_assert(kMaxPixels >= 64 && kMaxPixels <= (1 << 26) && kMaxPriorBoxes >= 1, "sizes of images are 32 bits");

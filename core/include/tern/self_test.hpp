@@ -33,8 +33,9 @@ constexpr int64_t whole_of(double constant, int64_t part, int64_t of) noexcept {
 constexpr uint64_t configuration_hash_of(double lattice_tolerance, double sight_margin) noexcept {
   return hash_of(0xCBF29CE484222325u, kMaxCells, kMaxDimension, kMaxNodes, kMaxOpen, kMaxJumpPoints, kMaxSegments,
                  kMaxPlanes, kMaxLocalBoxes, kMaxActive, kMaxQpIterations, kMaxQpSolves, kMaxFences, kMaxFencePlanes,
-                 kMaxVias, kMaxTracks, kMaxTrackPieces, kMaxSeparations, kMaxFloodWords, kMaxWorldWords, kMaxPixels,
-                 kMaxPriorBoxes, kMaxYawPieces, whole_of(lattice_tolerance, int64_t{1} << 41, int64_t{1} << 41),
+                 kMaxVias, kMaxTracks, kMaxTrackPieces, kMaxNeighbours, kMaxSeparations, kMaxFloodWords, kMaxWorldWords,
+                 kMaxPixels, kMaxPriorBoxes, kMaxYawPieces,
+                 whole_of(lattice_tolerance, int64_t{1} << 41, int64_t{1} << 41),
                  whole_of(sight_margin, int64_t{1} << 57, 1));
 }
 

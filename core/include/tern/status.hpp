@@ -143,6 +143,8 @@ enum class Status : uint8_t {
   /// waiting does not help.
   kFloodFull = 69,
 
+  kNeighboursFull = 62,  ///< TERN_MAX_NEIGHBOURS: the fleet has more other members
+
   // 70 .. 89: the solver or the machine did not hold up.
 
   /// The constraints contradict each other, and the solver has a proof. Only as Report::optimiser; the plan falls back

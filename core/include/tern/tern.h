@@ -265,6 +265,7 @@ typedef enum {
   TERN_FENCE_PLANES_FULL = 59,
   TERN_WORLD_FULL = 60,
   TERN_VIAS_FULL = 61,
+  TERN_NEIGHBOURS_FULL = 62,
   TERN_PIXELS_FULL = 63,
   TERN_PRIOR_FULL = 64,
   TERN_RECORD_FULL = 65,
@@ -359,12 +360,12 @@ uint8_t tern_grid_inflate(tern_grid* grid);
 /* A hash of the capacities that your program is compiled with. It equals tern_configuration_hash() if they are the same
  * as the library's. It uses integers only: the last two represent the core's floating-point constants. */
 static inline uint64_t tern_header_hash(void) {
-  const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,       TERN_MAX_OPEN,
-                             TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,      TERN_MAX_LOCAL_BOXES,
-                             TERN_MAX_ACTIVE,       TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES,   TERN_MAX_FENCES,
-                             TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,          TERN_MAX_TRACKS,      TERN_MAX_TRACK_PIECES,
-                             TERN_MAX_SEPARATIONS,  TERN_MAX_FLOOD_WORDS,   TERN_MAX_WORLD_WORDS, TERN_MAX_PIXELS,
-                             TERN_MAX_PRIOR_BOXES,  TERN_MAX_YAW_PIECES,    0x112e0be826d695u,    0x1999999999999au};
+  const uint64_t values[] = {
+      TERN_MAX_CELLS,        TERN_MAX_DIMENSION,   TERN_MAX_NODES,        TERN_MAX_OPEN,        TERN_MAX_JUMP_POINTS,
+      TERN_MAX_SEGMENTS,     TERN_MAX_PLANES,      TERN_MAX_LOCAL_BOXES,  TERN_MAX_ACTIVE,      TERN_MAX_QP_ITERATIONS,
+      TERN_MAX_QP_SOLVES,    TERN_MAX_FENCES,      TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,        TERN_MAX_TRACKS,
+      TERN_MAX_TRACK_PIECES, TERN_MAX_NEIGHBOURS,  TERN_MAX_SEPARATIONS,  TERN_MAX_FLOOD_WORDS, TERN_MAX_WORLD_WORDS,
+      TERN_MAX_PIXELS,       TERN_MAX_PRIOR_BOXES, TERN_MAX_YAW_PIECES,   0x112e0be826d695u,    0x1999999999999au};
   uint64_t hash = 0xCBF29CE484222325u;
   for (size_t i = 0; i < sizeof values / sizeof *values; ++i) hash = (hash ^ values[i]) * 0x100000001B3u;
   return hash;

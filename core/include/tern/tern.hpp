@@ -11,6 +11,7 @@
 #define TERN_TERN_HPP
 
 #include "tern/flatness.hpp"
+#include "tern/fleet.hpp"
 #include "tern/flight.hpp"
 #include "tern/flight_record.hpp"
 #include "tern/grid.hpp"

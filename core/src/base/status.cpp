@@ -55,6 +55,7 @@ const char* status_name(Status status) noexcept {
     case Status::kRecordFull: return "record_full";
     case Status::kTracksFull: return "tracks_full";
     case Status::kTrackPiecesFull: return "track_pieces_full";
+    case Status::kNeighboursFull: return "neighbours_full";
     case Status::kSeparationsFull: return "separations_full";
     case Status::kFloodFull: return "flood_full";
     case Status::kWorkingSetFull: return "working_set_full";
@@ -118,6 +119,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kPixelsFull: return "too many pixels for the map: raise MapSpec::pixels or TERN_MAX_PIXELS";
     case Status::kPriorFull: return "too many boxes known beforehand: raise TERN_MAX_PRIOR_BOXES";
     case Status::kTracksFull: return "too many tracks: raise TERN_MAX_TRACKS";
+    case Status::kNeighboursFull: return "too many other members of a fleet: raise TERN_MAX_NEIGHBOURS";
     case Status::kTrackPiecesFull: return "too many pieces of tracks: raise TERN_MAX_TRACK_PIECES";
     case Status::kSeparationsFull: return "too many segments near things that move: raise TERN_MAX_SEPARATIONS";
     case Status::kFloodFull: return "too large a grid or too long a way for the flood in time: raise TERN_MAX_FLOOD_WORDS";

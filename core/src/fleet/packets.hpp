@@ -59,8 +59,13 @@ struct Assembly {
   bool is_of(const PacketHead& head) const noexcept { return size > 0 && crc == head.crc && size == head.size; }
   bool is_complete() const noexcept { return size > 0 && missing == 0; }
 
+  void clear() noexcept {
+    crc = 0;
+    size = missing = 0;
+    for (std::uint8_t& bits : has) bits = 0;
+  }
   void open(const PacketHead& head) noexcept {
-    *this = Assembly{};
+    clear();
     crc = head.crc;
     size = head.size;
     missing = parts_of(size);
@@ -76,7 +81,7 @@ struct Assembly {
       --missing;
       for (std::int32_t b = 0; b < kPartBytes && k + b < packet_size; ++b) bytes[part * kPartBytes + b] = packet[k + b];
     }
-    if (missing == 0 && crc32(bytes, size) != crc) *this = Assembly{};
+    if (missing == 0 && crc32(bytes, size) != crc) clear();
   }
 };
 

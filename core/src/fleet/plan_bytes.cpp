@@ -109,6 +109,18 @@ bool is_joined(const Trajectory& plan, double unit) {
   return true;
 }
 
+/// The finest unit that suits a plan; beyond kCoarsest if none does.
+int exponent_for(const Trajectory& plan) {
+  double reach = 0.0;
+  if (!measure(plan, reach)) return kCoarsest + 1;
+  int exponent = kFinest;
+  for (; exponent <= kCoarsest; ++exponent) {
+    const double unit = unit_of(exponent);
+    if (reach <= kMostUnits * unit && is_joined(plan, unit)) break;
+  }
+  return exponent;
+}
+
 /// m/s: no part of the curve is faster, because its hodograph lies in the hull of these points.
 double largest_speed(const TrackPiece& piece) {
   double most = 0.0;
@@ -118,27 +130,26 @@ double largest_speed(const TrackPiece& piece) {
 
 }  // namespace
 
+bool is_sendable(const Trajectory& plan, std::int64_t takeover) noexcept {
+  return has_times(plan.begin, takeover) && exponent_for(plan) <= kCoarsest;
+}
+
 std::int32_t write_plan(const Trajectory& plan, const PlanName& name, std::uint8_t* bytes) noexcept {
-  double reach = 0.0;
-  if (!measure(plan, reach) || !has_times(plan.begin, name.takeover)) return 0;
-  for (int exponent = kFinest; exponent <= kCoarsest; ++exponent) {
-    const double unit = unit_of(exponent);
-    if (reach > kMostUnits * unit || !is_joined(plan, unit)) continue;
-    ByteWriter out(bytes);
-    out.put(form_of(MessageKind::kPlan));
-    out.put(name.id);
-    out.put(name.incarnation);
-    out.put(name.number);
-    out.put(name.takeover);
-    out.put(plan.begin);
-    for (int a = 0; a < 3; ++a) out.put(axis(plan.origin, a));
-    out.put(static_cast<std::int8_t>(exponent));
-    out.put(static_cast<std::uint16_t>(plan.count));
-    for (int s = 0; s < plan.count; ++s) out.put(plan.segments[s].duration);
-    put_points(plan, unit, out);
-    return out.size();
-  }
-  return 0;
+  if (!is_sendable(plan, name.takeover)) return 0;
+  const int exponent = exponent_for(plan);
+  ByteWriter out(bytes);
+  out.put(form_of(MessageKind::kPlan));
+  out.put(name.id);
+  out.put(name.incarnation);
+  out.put(name.number);
+  out.put(name.takeover);
+  out.put(plan.begin);
+  for (int a = 0; a < 3; ++a) out.put(axis(plan.origin, a));
+  out.put(static_cast<std::int8_t>(exponent));
+  out.put(static_cast<std::uint16_t>(plan.count));
+  for (int s = 0; s < plan.count; ++s) out.put(plan.segments[s].duration);
+  put_points(plan, unit_of(exponent), out);
+  return out.size();
 }
 
 bool is_plan(const std::uint8_t* bytes, std::int32_t size) noexcept {
@@ -159,6 +170,11 @@ bool is_plan(const std::uint8_t* bytes, std::int32_t size) noexcept {
 PlanName read_name(const std::uint8_t* bytes, std::int32_t size) noexcept {
   ByteReader in(bytes, size);
   return read_head(in).name;
+}
+
+std::int32_t read_piece_count(const std::uint8_t* bytes, std::int32_t size) noexcept {
+  ByteReader in(bytes, size);
+  return read_head(in).count;
 }
 
 void read_plan(const std::uint8_t* bytes, std::int32_t size, std::int64_t clock_error, TrackPiece* pieces,

@@ -37,14 +37,16 @@ struct PlanName {
   std::int64_t takeover;
 };
 
-/// Writes a plan to `bytes`, which has room for kMaxPlanBytes. Returns their number, or 0 for a plan that cannot be
-/// flown in a fleet: without segments, with numbers that are not finite or too large, a beginning after the takeover,
-/// or an end in motion.
+/// False for a plan that cannot be flown in a fleet: without segments, with numbers that are not finite or too large,
+/// a beginning after the takeover, or an end in motion.
+bool is_sendable(const Trajectory& plan, std::int64_t takeover) noexcept;
+/// Writes a plan to `bytes`, which has room for kMaxPlanBytes. Returns their number; 0 for one that is not sendable.
 std::int32_t write_plan(const Trajectory& plan, const PlanName& name, std::uint8_t* bytes) noexcept;
 
 /// True for the bytes of a plan that this build has room for, whoever wrote them. Only then may they be read.
 bool is_plan(const std::uint8_t* bytes, std::int32_t size) noexcept;
 PlanName read_name(const std::uint8_t* bytes, std::int32_t size) noexcept;
+std::int32_t read_piece_count(const std::uint8_t* bytes, std::int32_t size) noexcept;
 
 /// The tube in which the sender is as long as it flies the plan, if its clock is off by `clock_error` ns at most: the
 /// plan, with the error of the points and of the clock, behind a wait of `clock_error` at its beginning, and at rest

@@ -1,0 +1,158 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Several vehicles in the same space. Each has a Fleet, which tells the others what its vehicle flies and is about to
+// fly, and says when a new plan may be taken over. Of any two vehicles, the plans that they fly are proven clear of
+// each other, whatever messages are lost, late, repeated or out of order. docs/fleet.md has the argument.
+#ifndef TERN_FLEET_HPP
+#define TERN_FLEET_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "tern/config.hpp"
+#include "tern/status.hpp"
+#include "tern/track.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/work.hpp"
+
+namespace tern {
+
+/// A vehicle as a member of a fleet. It stays the same from one Fleet::begin() to the next.
+struct FleetSpec {
+  /// Who it is. Every vehicle has another number.
+  uint16_t id = 0;
+  /// Larger each time that Fleet::begin() is called on this vehicle, also after a restart: the seconds of a clock that
+  /// never goes back, or a number in permanent memory. At least 1.
+  uint32_t incarnation = 0;
+  /// The larger one has the right of way; of two equal ones, the smaller id.
+  uint8_t priority = 0;
+  /// m, above 0, at most 60: its own, with what it may be away from its plan. Two plans are clear of each other if
+  /// their distance is at least the sum of both radii.
+  double radius = 0.0;
+  /// ns, 0 to a second: by how much the clocks of two vehicles may differ.
+  int64_t clock_error = 0;
+  /// ns, above 0, at most a second: advance() is called at least that often. A plan that is taken over later than that
+  /// after its time is dropped instead.
+  int64_t tick = 0;
+  /// m/s, >= 0: how fast it flies, for traffic() alone.
+  double speed = 0.0;
+};
+
+/// What became of the last plan that was announced. The numbers are part of the ABI.
+enum class Announcement : uint8_t {
+  kNone = 0,  ///< no plan was announced, or it was withdrawn
+  kProving,   ///< being proven clear of those who have to give way
+  kOpen,      ///< the others are told of it, and those who have the right of way are asked
+  kTaken,     ///< taken over: it is flown since its takeover
+  kDropped,   ///< not taken over and never will be. FleetReport::blocked says why
+};
+
+/// Why a plan was dropped. FleetReport::blocked_by says because of whom. The numbers are part of the ABI.
+enum class FleetBlock : uint8_t {
+  kNone = 0,    ///< it was not
+  kSilent,      ///< this member was not heard since begin(), or has not heard of it
+  kConflict,    ///< the plan is not clear of what this member, which has to give way, may be flying
+  kRefused,     ///< this member, which has the right of way, answered that the plan is not clear of its own
+  kUnanswered,  ///< the answer of this member, which has the right of way, did not come before the takeover
+  kRestarted,   ///< this member was begun or added, or left, in the meantime
+  kLate,        ///< advance() was called too late, or had too little work, for the takeover
+};
+
+struct FleetReport {
+  Announcement announcement = Announcement::kNone;
+  FleetBlock blocked = FleetBlock::kNone;
+  uint16_t blocked_by = 0;
+  /// True if all who were asked agreed: unless a member restarts, the plan will be taken over.
+  bool cleared = false;
+};
+
+/// What a packet brought. The numbers are part of the ABI.
+enum class Heard : uint8_t {
+  kNews = 0,      ///< something new, perhaps only a part of a message
+  kOld,           ///< nothing new
+  kStranger,      ///< from a vehicle that is not a member: Fleet::add() makes it one
+  kSelf,          ///< from this vehicle itself, or from another one with its id
+  kDamaged,       ///< no packet of a fleet
+  kOtherVersion,  ///< from another version of the format
+  kTooLong,       ///< a plan with more segments, or a state with more members, than this build has room for
+  kClockAhead,    ///< from the future: the clocks differ by more than FleetSpec::clock_error. Nothing was done
+};
+
+/// What is known of another member.
+struct Neighbour {
+  uint16_t id = 0;
+  uint32_t incarnation = 0;  ///< 0: it was not heard
+  int64_t heard = 0;         ///< when its newest state came, ns
+  uint8_t priority = 0;
+  bool has_right_of_way = false;
+  bool has_left = false;  ///< it said that it flies no more
+  bool ready = false;     ///< it knows of this vehicle, and its plan is known: kSilent is not said of it
+};
+
+/// Bytes of the smallest packet that write() makes. They suit every link with packets of 27 bytes or more.
+constexpr int32_t kFleetPacketBytes = 27;
+
+/// Bytes of a Fleet: a little more than what it needs, which the core asserts.
+constexpr size_t kFleetBytes = kMaxNeighbours * (static_cast<size_t>(kMaxNeighbours) * 13 + kMaxSegments * 208 + 800) +
+                               kMaxSegments * 720 + kMaxNeighbours * 13 + 4096;
+
+/// One vehicle's part in a fleet: a state machine without clock, input or output. You carry its packets by any link
+/// that reaches the others, as often as you like. Large: not for a small stack. Not thread-safe. Before begin(), every
+/// call that returns a Status answers kInvalidArgument, and the others do nothing.
+class Fleet {
+ public:
+  /// Begins, or begins anew: with nobody else in the fleet, flying `flown`, which ends at rest and stays there. After a
+  /// restart, that is what was flown before, or a rest where that ends. kOk; kInvalidArgument for a spec out of its
+  /// ranges, or for a plan that begins after `now`, ends in motion, or cannot be sent (docs/fleet.md).
+  Status begin(const FleetSpec& spec, const Trajectory& flown, int64_t now) noexcept;
+  /// Another vehicle becomes a member. Until each knows of the other, no plan is taken over. kOk, also if it is one
+  /// already; kNeighboursFull; kInvalidArgument for the own id.
+  Status add(uint16_t id, int64_t now) noexcept;
+  /// A vehicle is no member any more, because it can be nowhere near, or is known as a track or an obstacle. kOk, or
+  /// kInvalidArgument for one that is not a member.
+  Status remove(uint16_t id, int64_t now) noexcept;
+
+  /// Announces the plan that is to follow at `takeover`, ns, where the one that is flown passes into it. It ends at
+  /// rest. A plan announced before that was not taken over is withdrawn. kOk; kInvalidArgument for a takeover that is
+  /// not after `now` or before the plan's beginning, for a plan that ends in motion or cannot be sent, or after
+  /// leave(). Then nothing was done.
+  Status announce(const Trajectory& plan, int64_t takeover, int64_t now) noexcept;
+  /// Drops the plan that is announced, if it was not taken over. The one that is flown goes on.
+  void withdraw(int64_t now) noexcept;
+  /// The vehicle flies no more after the plan that it flies: it landed, or its radio goes off. From then on, the others
+  /// keep clear of the place where that ends, and ask it nothing, once they heard of it.
+  void leave(int64_t now) noexcept;
+
+  /// Takes a packet: `size` bytes. Work is bounded by some twenty instructions a byte of a message.
+  Heard receive(const uint8_t* packet, int32_t size, int64_t now) noexcept;
+  /// Writes the next packet to send, to all members, of at most `room` bytes. Its size, or 0 at the end of a round, and
+  /// if `room` is below kFleetPacketBytes. A round has what the vehicle says of itself, and its plans as long as a
+  /// member has not got them. Send a round from time to time, and when something changed.
+  int32_t write(uint8_t* packet, int32_t room) noexcept;
+  /// Call it every tick. Takes over or drops the plan that is announced, if it is time, and goes on with proofs as long
+  /// as work is left. `now` must not go back.
+  void advance(int64_t now, Work& work) noexcept;
+
+  FleetReport report() const noexcept;
+  /// The plan that is flown, and the one that is announced: null if there is none. Valid until the next call that is
+  /// not const.
+  const Trajectory* flown() const noexcept;
+  const Trajectory* announced() const noexcept;
+  /// Members besides this vehicle, and what is known of one: 0 <= index < neighbours().
+  int32_t neighbours() const noexcept;
+  Neighbour neighbour(int32_t index) const noexcept;
+  /// What a plan of this vehicle should keep clear of: for each member whose plan is known, the tube in which it is
+  /// now, and that of the plan which it announced and may take over. Pieces that are over are left out. kOk;
+  /// kTracksFull or kTrackPiecesFull if there is not enough room; then `count` is the number of tracks that fit.
+  Status traffic(int64_t now, Track* tracks, int32_t room, TrackPiece* pieces, int32_t piece_room,
+                 int32_t& count) const noexcept;
+
+ private:
+  friend struct FleetAccess;
+  alignas(8) uint64_t memory_[(kFleetBytes + 7) / 8] = {};
+};
+
+}  // namespace tern
+
+#endif

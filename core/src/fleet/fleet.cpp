@@ -1,0 +1,124 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/fleet.hpp"
+
+#include <new>
+
+#include "base/capacity.hpp"
+#include "base/math.hpp"
+#include "fleet/fleet_access.hpp"
+
+namespace tern {
+namespace {
+
+constexpr double kLargestRadius = 60.0;
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+bool is_sound(const FleetSpec& spec) {
+  return spec.incarnation > 0 && finite(spec.radius) && spec.radius > 0.0 && spec.radius <= kLargestRadius &&
+         spec.clock_error >= 0 && spec.clock_error <= kSecond && spec.tick > 0 && spec.tick <= kSecond &&
+         finite(spec.speed) && spec.speed >= 0.0;
+}
+
+void set(OwnPlan& own, const Trajectory& plan, const PlanName& name) {
+  own.plan = plan;
+  own.name = name;
+  own.size = write_plan(plan, name, own.bytes);
+  own.crc = crc32(own.bytes, own.size);
+}
+
+std::int32_t find(const FleetMemory& fleet, std::uint16_t id) {
+  std::int32_t p = 0;
+  while (p < fleet.peer_count && fleet.peers[p].id != id) ++p;
+  return p;
+}
+
+}  // namespace
+
+void touch(FleetMemory& fleet, std::int64_t now) noexcept {
+  fleet.has_changed = true;
+  fleet.stamp = now;
+}
+
+void drop(FleetMemory& fleet, FleetBlock why, std::uint16_t by, std::int64_t now) noexcept {
+  fleet.announcement = why == FleetBlock::kNone ? Announcement::kNone : Announcement::kDropped;
+  fleet.blocked = why;
+  fleet.blocked_by = by;
+  restart_jobs(fleet);
+  touch(fleet, now);
+}
+
+Status Fleet::begin(const FleetSpec& spec, const Trajectory& flown, std::int64_t now) noexcept {
+  static_assert(sizeof(FleetMemory) <= sizeof(memory_), "raise kFleetBytes");
+  static_assert(kMaxPlanBytes <= 65535 && kMaxStateBytes <= 65535, "sizes of messages have 16 bits");
+  if (!is_sound(spec) || flown.begin > now || !is_sendable(flown, flown.begin)) return Status::kInvalidArgument;
+  FleetMemory& fleet = *new (memory_) FleetMemory{};
+  set(fleet.own[0], flown, {spec.id, spec.incarnation, 1, flown.begin});
+  fleet.has_begun = true;
+  fleet.spec = spec;
+  fleet.numbers = 1;
+  touch(fleet, now);
+  return Status::kOk;
+}
+
+Status Fleet::add(std::uint16_t id, std::int64_t now) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  if (fleet == nullptr || id == fleet->spec.id) return Status::kInvalidArgument;
+  if (find(*fleet, id) < fleet->peer_count) return Status::kOk;
+  if (is_full(fleet->peer_count == kMaxNeighbours)) return Status::kNeighboursFull;
+  forget_peer(fleet->peers[fleet->peer_count++], id);
+  is_pending(*fleet) ? drop(*fleet, FleetBlock::kRestarted, id, now) : touch(*fleet, now);
+  return Status::kOk;
+}
+
+Status Fleet::remove(std::uint16_t id, std::int64_t now) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  if (fleet == nullptr) return Status::kInvalidArgument;
+  const std::int32_t p = find(*fleet, id);
+  if (p == fleet->peer_count) return Status::kInvalidArgument;
+  const std::int32_t last = --fleet->peer_count;
+  if (p != last) fleet->peers[p] = fleet->peers[last];
+  restart_jobs(*fleet);
+  touch(*fleet, now);
+  return Status::kOk;
+}
+
+Status Fleet::announce(const Trajectory& plan, std::int64_t takeover, std::int64_t now) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  if (fleet == nullptr || fleet->has_left || takeover <= now || fleet->numbers == UINT32_MAX) {
+    return Status::kInvalidArgument;
+  }
+  const PlanName name{fleet->spec.id, fleet->spec.incarnation, fleet->numbers + 1, takeover};
+  if (!is_sendable(plan, takeover)) return Status::kInvalidArgument;
+  restart_jobs(*fleet);
+  set(next_plan(*fleet), plan, name);
+  ++fleet->numbers;
+  fleet->announcement = Announcement::kProving;
+  fleet->blocked = FleetBlock::kNone;
+  fleet->blocked_by = 0;
+  fleet->cursor = Cursor{};
+  touch(*fleet, now);
+  return Status::kOk;
+}
+
+void Fleet::withdraw(std::int64_t now) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  if (fleet != nullptr && is_pending(*fleet)) drop(*fleet, FleetBlock::kNone, 0, now);
+}
+
+void Fleet::leave(std::int64_t now) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  if (fleet == nullptr) return;
+  if (is_pending(*fleet)) drop(*fleet, FleetBlock::kNone, 0, now);
+  fleet->has_left = true;
+  touch(*fleet, now);
+}
+
+void Fleet::advance(std::int64_t now, Work& work) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  if (fleet == nullptr) return;
+  decide(*fleet, now);
+  work_on_jobs(*fleet, now, work);
+}
+
+}  // namespace tern

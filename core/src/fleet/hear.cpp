@@ -1,0 +1,87 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fleet::receive(): packets become messages, and messages what is known of a member.
+#include "base/capacity.hpp"
+#include "fleet/fleet_access.hpp"
+
+namespace tern {
+namespace {
+
+bool differ(const Answer& a, const Answer& b) {
+  return a.incarnation != b.incarnation || a.number != b.number || a.consent != b.consent ||
+         a.lacks_flown != b.lacks_flown;
+}
+
+bool is_newer(const StateHead& state, const StateHead& than) {
+  return state.incarnation != than.incarnation ? state.incarnation > than.incarnation : state.counter > than.counter;
+}
+
+/// The member began anew, or left. It may have been asked about the plan that is announced, and is asked no more, or
+/// the other way round; what it was allowed before it began anew does not count any more.
+void meet_again(FleetMemory& fleet, Peer& peer, bool has_begun, std::int64_t now) {
+  if (is_pending(fleet)) drop(fleet, FleetBlock::kRestarted, peer.id, now);
+  if (!has_begun) return;
+  peer.flown = peer.held = kNoPlan;
+  peer.judged = 0;
+  peer.consent = Consent::kNone;
+}
+
+Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
+  StateHead state{};
+  Answer answer{};
+  const bool is_state = read_state(peer.arriving.bytes, peer.arriving.size, fleet.spec.id, state, answer);
+  peer.arriving.clear();
+  if (!is_state || state.id != peer.id) return Heard::kDamaged;
+  if (state.stamp > now && state.stamp - now > fleet.spec.clock_error) return Heard::kClockAhead;
+  if (!is_newer(state, peer.state)) return Heard::kOld;
+  const bool has_begun = state.incarnation != peer.state.incarnation;
+  if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);
+  peer.state = state;
+  peer.answer = answer;
+  peer.heard = now;
+  return Heard::kNews;
+}
+
+Heard take_state(FleetMemory& fleet, Peer& peer, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,
+                 std::int64_t now) {
+  if (is_full(head.size > kMaxStateBytes)) return Heard::kTooLong;
+  if (!peer.arriving.is_of(head)) peer.arriving.open(head);
+  peer.arriving.take(head, packet, size);
+  if (peer.arriving.is_complete()) return hear_state(fleet, peer, now);
+  return peer.arriving.size > 0 ? Heard::kNews : Heard::kDamaged;
+}
+
+Heard take(FleetMemory& fleet, Peer& peer, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,
+           std::int64_t now) {
+  if (head.form == form_of(MessageKind::kState)) return take_state(fleet, peer, head, packet, size, now);
+  if (is_full(head.size > kMaxPlanBytes)) return Heard::kTooLong;
+  return take_plan(peer, head, packet, size);
+}
+
+}  // namespace
+
+Heard Fleet::receive(const std::uint8_t* packet, std::int32_t size, std::int64_t now) noexcept {
+  FleetMemory* const fleet = memory_of(*this);
+  PacketHead head{};
+  if (fleet == nullptr || !read_packet(packet, size, head)) return Heard::kDamaged;
+  if (head.form >> 4 != kMessageVersion) return Heard::kOtherVersion;
+  if (head.form != form_of(MessageKind::kState) && head.form != form_of(MessageKind::kPlan)) return Heard::kDamaged;
+  if (head.id == fleet->spec.id) return Heard::kSelf;
+  std::int32_t p = 0;
+  while (p < fleet->peer_count && fleet->peers[p].id != head.id) ++p;
+  if (p == fleet->peer_count) return Heard::kStranger;
+
+  Peer& peer = fleet->peers[p];
+  const Answer before = answer_to(peer);
+  const std::uint32_t open = peer.state.open;
+  const std::int8_t flown = peer.flown;
+  const std::int8_t held = peer.held;
+  const Heard heard = take(*fleet, peer, head, packet, size, now);
+  settle(peer);
+  if (differ(before, answer_to(peer))) touch(*fleet, now);
+  if (open != peer.state.open || flown != peer.flown || held != peer.held) restart_jobs_about(*fleet, p);
+  return heard;
+}
+
+}  // namespace tern

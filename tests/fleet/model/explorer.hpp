@@ -1,0 +1,301 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// All that can happen to a few vehicles, breadth first: every order of announcing, withdrawing, restarting, the clocks'
+// ticks and the arrival of messages. A message that was sent once may arrive at any time, any number of times, or
+// never: that is loss, delay, repetition and reordering at once. The vehicles are tern::Fleet as it flies. Equal
+// objects are kept once, and what a step makes of one is computed once, so a state of the world is a few numbers.
+#ifndef TERN_TESTS_FLEET_MODEL_EXPLORER_HPP
+#define TERN_TESTS_FLEET_MODEL_EXPLORER_HPP
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "fleet/fleet_access.hpp"
+#include "fleet/plans.hpp"
+#include "tern/fleet.hpp"
+
+namespace tern_model {
+
+constexpr int kVehicles = 3;
+constexpr std::int64_t kTick = 1'000'000'000;
+
+/// What the model explores.
+struct Setting {
+  int vehicles = kVehicles;
+  int announcements = 1;       ///< of each vehicle
+  int withdrawals = 0;         ///< of each vehicle
+  int restarts = 0;            ///< of all together, with the same priority as before and with a higher one
+  int departures = 0;          ///< vehicles that may leave
+  int last_tick = 4;           ///< of each clock
+  int skew = 0;                ///< ticks by which clocks may differ
+  double seconds = 2.0;        ///< that a plan lasts
+  std::size_t in_the_air = 2;  ///< messages of each vehicle that may still arrive: its last ones
+  bool in_pieces = false;      ///< state and plans arrive separately
+  bool keeps_first = false;    ///< what was said first, with the plan that is flown, may still arrive
+  std::array<std::vector<tern::Vec3>, kVehicles> targets;
+  std::array<tern::Vec3, kVehicles> places;
+  std::array<std::uint8_t, kVehicles> priorities{};
+};
+
+/// Numbers for values, in the order in which they came.
+template <typename Value, typename Hash = std::hash<Value>>
+class Numbers {
+ public:
+  std::uint32_t of(const Value& value) {
+    const auto [at, is_new] = index_.try_emplace(value, static_cast<std::uint32_t>(values_.size()));
+    if (is_new) values_.push_back(&at->first);
+    return at->second;
+  }
+  const Value& value(std::uint32_t number) const { return *values_[number]; }
+  std::size_t count() const { return values_.size(); }
+
+ private:
+  std::unordered_map<Value, std::uint32_t, Hash> index_;
+  std::vector<const Value*> values_;
+};
+
+/// A state of the world: numbers of fleets and of the set of messages that were sent, clocks, and what is used up.
+struct World {
+  std::array<std::uint32_t, kVehicles> fleets{};
+  std::uint32_t sent = 0;
+  std::array<std::uint8_t, kVehicles> clocks{};
+  std::array<std::uint8_t, kVehicles> announced{};
+  std::array<std::uint8_t, kVehicles> withdrawn{};
+  std::uint8_t restarts = 0;
+  std::uint8_t departures = 0;
+  std::uint8_t unused[3] = {};
+
+  bool operator==(const World& other) const { return std::memcmp(this, &other, sizeof other) == 0; }
+};
+static_assert(sizeof(World) == 32, "no padding, so that bytes can be compared");
+
+struct HashOfWorld {
+  std::size_t operator()(const World& world) const {
+    std::uint64_t words[4] = {};
+    std::memcpy(words, &world, sizeof world);
+    std::uint64_t hash = 0;
+    for (const std::uint64_t word : words) {
+      hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+};
+
+enum class Act : std::uint8_t { kAnnounce, kWithdraw, kRestart, kLeave, kHear, kWait };
+
+/// The vehicles, whose steps are computed once each.
+class Vehicles {
+ public:
+  explicit Vehicles(const Setting& setting) : setting_(setting) {}
+
+  /// A fleet without its work of the moment, of which nothing is left after a step, and without what decides nothing of
+  /// what is checked here: when something was heard, which unneeded plan is replaced first, and bytes that nobody
+  /// reads.
+  std::uint32_t keep(const tern::Fleet& fleet) {
+    auto copy = std::make_unique<tern::Fleet>(fleet);
+    tern::FleetMemory& memory = *tern::memory_of(*copy);
+    std::memset(static_cast<void*>(&memory.job), 0, sizeof memory.job);
+    for (tern::OwnPlan& own : memory.own) without_padding(own.name);
+    for (tern::Peer& peer : memory.peers) {
+      peer.heard = 0;
+      peer.packets = 0;
+      for (std::uint32_t& packet : peer.last_packet) packet = 0;
+      without_padding(peer.state);
+      for (tern::PlanName& name : peer.names) without_padding(name);
+      clean(peer.arriving);
+      for (auto& plan : peer.plans) clean(plan);
+    }
+    return fleets_.of(packed(*copy));
+  }
+  void load(std::uint32_t number, tern::Fleet& fleet) const {
+    std::memset(static_cast<void*>(&fleet), 0, sizeof fleet);
+    const std::string& bytes = fleets_.value(number);
+    for (std::size_t k = 0; k < bytes.size(); k += 10) {
+      std::uint16_t at = 0;
+      std::memcpy(&at, bytes.data() + k, 2);
+      std::memcpy(reinterpret_cast<char*>(&fleet) + 8 * at, bytes.data() + k + 2, 8);
+    }
+  }
+
+  struct After {
+    std::uint32_t fleet = 0;
+    std::vector<std::uint32_t> said;  ///< numbers of messages
+    bool done = false;                ///< false: the step was refused
+  };
+
+  /// A step of vehicle `v`, and what it says after it.
+  const After& step(int v, std::uint32_t fleet, int clock, Act act, std::uint32_t what) {
+    const std::uint64_t key = static_cast<std::uint64_t>(fleet) << 32 | static_cast<std::uint64_t>(what) << 12 |
+                              static_cast<std::uint64_t>(clock) << 6 | static_cast<std::uint64_t>(act) << 2 |
+                              static_cast<std::uint64_t>(v);
+    const auto known = after_.find(key);
+    if (known != after_.end()) return known->second;
+    load(fleet, scratch_);
+    After after;
+    after.done = act_on(v, kTick * clock, act, what);
+    tern::Work work(1u << 30);
+    scratch_.advance(kTick * clock, work);
+    tern::memory_of(scratch_)->stamp = 0;
+    after.said = said(scratch_);
+    after.fleet = keep(scratch_);
+    return after_.emplace(key, after).first->second;
+  }
+
+  /// What the vehicle says, as messages: all in one, or state and plans apart.
+  std::vector<std::uint32_t> said(tern::Fleet& fleet) {
+    std::vector<std::uint32_t> numbers;
+    std::string all;
+    std::uint8_t packet[1000];
+    while (const std::int32_t size = fleet.write(packet, sizeof packet)) {
+      std::string message(1, static_cast<char>(size & 255));
+      message += static_cast<char>(size >> 8);
+      message.append(reinterpret_cast<const char*>(packet), static_cast<std::size_t>(size));
+      if (setting_.in_pieces) numbers.push_back(messages_.of(message));
+      all += message;
+    }
+    if (!setting_.in_pieces) numbers.push_back(messages_.of(all));
+    return numbers;
+  }
+
+  int sender(std::uint32_t message) const { return static_cast<std::uint8_t>(messages_.value(message)[3]) - 1; }
+  const tern::Trajectory& flown(std::uint32_t fleet) {
+    load(fleet, scratch_);
+    return *scratch_.flown();
+  }
+  std::uint32_t flown_number(std::uint32_t fleet) {
+    const auto [at, is_new] = flown_of_.try_emplace(fleet, 0);
+    if (is_new) {
+      const tern::Trajectory& plan = flown(fleet);
+      at->second = trajectories_.of(std::string(reinterpret_cast<const char*>(&plan), sizeof plan));
+    }
+    return at->second;
+  }
+  tern::Trajectory trajectory(std::uint32_t number) const {
+    tern::Trajectory plan{};
+    std::memcpy(static_cast<void*>(&plan), trajectories_.value(number).data(), sizeof plan);
+    return plan;
+  }
+  tern::FleetSpec spec(int v, std::uint32_t incarnation) const {
+    tern::FleetSpec spec;
+    spec.id = static_cast<std::uint16_t>(v + 1);
+    spec.incarnation = incarnation;
+    spec.priority = setting_.priorities[static_cast<std::size_t>(v)];
+    spec.radius = 0.5;
+    spec.clock_error = setting_.skew * kTick;
+    spec.tick = kTick / 2;
+    return spec;
+  }
+  std::size_t count() const { return fleets_.count(); }
+
+ private:
+  template <std::int32_t Bytes>
+  static void clean(tern::Assembly<Bytes>& assembly) {
+    std::memset(assembly.bytes + assembly.size, 0, static_cast<std::size_t>(Bytes - assembly.size));
+  }
+  /// Bytes between members may have any value.
+  static void without_padding(tern::PlanName& name) {
+    const tern::PlanName copy = name;
+    std::memset(static_cast<void*>(&name), 0, sizeof name);
+    name.id = copy.id;
+    name.incarnation = copy.incarnation;
+    name.number = copy.number;
+    name.takeover = copy.takeover;
+  }
+  static void without_padding(tern::StateHead& state) {
+    const tern::StateHead copy = state;
+    std::memset(static_cast<void*>(&state), 0, sizeof state);
+    state.id = copy.id;
+    state.incarnation = copy.incarnation;
+    state.counter = copy.counter;
+    state.stamp = copy.stamp;
+    state.flown = copy.flown;
+    state.open = copy.open;
+    state.radius = copy.radius;
+    state.priority = copy.priority;
+    state.has_left = copy.has_left;
+  }
+  /// The words that are not zero, behind their places.
+  static std::string packed(const tern::Fleet& fleet) {
+    std::string bytes;
+    static_assert(sizeof(tern::Fleet) / 8 < 65536, "places have 16 bits");
+    for (std::size_t k = 0; k < sizeof fleet / 8; ++k) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, reinterpret_cast<const char*>(&fleet) + 8 * k, 8);
+      if (word == 0) continue;
+      const auto at = static_cast<std::uint16_t>(k);
+      bytes.append(reinterpret_cast<const char*>(&at), 2);
+      bytes.append(reinterpret_cast<const char*>(&word), 8);
+    }
+    return bytes;
+  }
+  bool act_on(int v, std::int64_t now, Act act, std::uint32_t what) {
+    switch (act) {
+      case Act::kAnnounce:
+        return announce(v, now, what);
+      case Act::kWithdraw:
+        scratch_.withdraw(now);
+        return true;
+      case Act::kRestart:
+        return restart(v, now, what);
+      case Act::kLeave:
+        scratch_.leave(now);
+        return true;
+      case Act::kHear:
+        hear(what, now);
+        return true;
+      case Act::kWait:
+        return true;
+    }
+    return false;
+  }
+  /// Two ticks ahead, straight to a target, from where the vehicle is at rest by then.
+  bool announce(int v, std::int64_t now, std::uint32_t what) {
+    const tern::Trajectory& flown = *scratch_.flown();
+    const std::int64_t end = flown.begin + static_cast<std::int64_t>(1e9 * tern::duration(flown));
+    const std::int64_t takeover = std::max(now + 2 * kTick, end);
+    const tern::Vec3 from = tern::evaluate(flown, 1e9).position;
+    const std::vector<tern::Vec3>& targets = setting_.targets[static_cast<std::size_t>(v)];
+    const tern::Vec3 to = what < targets.size() ? targets[what] : from;
+    const tern::Trajectory plan = tern_test::straight(from, to, takeover, setting_.seconds);
+    return scratch_.announce(plan, takeover, now) == tern::Status::kOk;
+  }
+  /// `what`: twice the incarnation, and 1 more for a higher priority.
+  bool restart(int v, std::int64_t now, std::uint32_t what) {
+    const tern::Trajectory flown = *scratch_.flown();
+    tern::FleetSpec again = spec(v, what / 2);
+    if (what % 2 == 1) again.priority = 9;
+    scratch_.begin(again, flown, now);
+    for (int other = 0; other < setting_.vehicles; ++other) {
+      if (other != v) scratch_.add(static_cast<std::uint16_t>(other + 1), now);
+    }
+    return true;
+  }
+  void hear(std::uint32_t message, std::int64_t now) {
+    const std::string& bytes = messages_.value(message);
+    for (std::size_t k = 0; k < bytes.size();) {
+      const int size = static_cast<std::uint8_t>(bytes[k]) + 256 * static_cast<std::uint8_t>(bytes[k + 1]);
+      scratch_.receive(reinterpret_cast<const std::uint8_t*>(bytes.data()) + k + 2, size, now);
+      k += static_cast<std::size_t>(size) + 2;
+    }
+  }
+
+  const Setting& setting_;
+  Numbers<std::string> fleets_;
+  Numbers<std::string> messages_;
+  Numbers<std::string> trajectories_;
+  std::unordered_map<std::uint32_t, std::uint32_t> flown_of_;
+  std::unordered_map<std::uint64_t, After> after_;
+  tern::Fleet scratch_;
+};
+
+}  // namespace tern_model
+
+#endif
