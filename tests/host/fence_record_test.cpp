@@ -57,7 +57,12 @@ TEST(FenceRecord, ErrorsSayWhere) {
             "world.txt:7: 'keepout_halfspaces' has a normal that is no direction");
   std::vector<FenceRecord> fences;
   const tern_host::Words words = tern_host::split_words("keepin_halfspaces 1 0 0 9", false);
-  for (int k = 0; k < tern::kMaxFences; ++k) add_fence(words, kPlace, fences);
+  for (int k = 0; k <= tern::kMaxFences; ++k) {
+    EXPECT_EQ(exceeds_capacity(fences), k > tern::kMaxFences);
+    add_fence(words, kPlace, fences);
+  }
+  EXPECT_TRUE(exceeds_capacity(fences));
+  while (fences.size() < tern_host::kMostFences) add_fence(words, kPlace, fences);
   EXPECT_THROW(add_fence(words, kPlace, fences), tern_host::RecordError);
 }
 

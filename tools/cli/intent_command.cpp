@@ -8,28 +8,40 @@
 
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
+#include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/intent/conflicts.hpp"
 #include "host/intent/intent_json.hpp"
 #include "host/intent/intent_text.hpp"
+#include "host/intent/replan.hpp"
 #include "host/intent/tube_volumes.hpp"
+#include "host/map/map_files.hpp"
+#include "host/plan_file.hpp"
 
 namespace tern_cli {
 namespace {
 
 struct IntentOptions {
   std::string plan;
+  std::string scenario;
+  std::vector<std::string> overrides;
   std::vector<double> origin;
   double height = 0.0;
   std::string epoch;
   double rest = 0.0;
   tern_host::TubeSettings tube;
+  double longest_delay = 3600.0;
   tern_host::UtmEntity intent;
   std::vector<std::string> others;
   std::string json;
+  std::string plan_json;
 };
 
 void check_options(IntentOptions& options) {
+  if (options.plan.empty() == options.scenario.empty()) throw std::runtime_error("give either a PLAN or --scenario");
+  if (options.scenario.empty() && !(options.plan_json.empty() && options.overrides.empty())) {
+    throw std::runtime_error("--plan and --set need --scenario: a PLAN is made already");
+  }
   const auto epoch = tern_host::parse_instant(options.epoch);
   if (!epoch) throw std::runtime_error("--epoch must be like 2026-03-01T09:30:00Z, with a time zone");
   options.tube.epoch = *epoch;
@@ -60,23 +72,55 @@ std::string summary(const std::vector<tern_host::Conflict>& conflicts, std::size
          std::to_string(others) + " of others\n";
 }
 
-int show_intent(IntentOptions& options) {
-  check_options(options);
-  std::vector<std::string> inputs = options.others;
-  inputs.push_back(options.plan);
-  check_output_paths(inputs, {options.json});
-  const tern_host::LocalFrame frame({{options.origin[0], options.origin[1]}, options.height});
-  tern_host::TimedPath path = tern_host::read_timed_path(options.plan);
-  if (options.rest > 0.0) path = tern_host::with_rest(path, options.rest);
-  tern_host::UtmEntity& intent = options.intent;
-  intent.volumes = tern_host::tube_volumes(path, frame, options.tube);
-  const std::vector<tern_host::UtmEntity> others = read_others(options.others);
+int report(const IntentOptions& options, const tern_host::UtmEntity& intent,
+           const std::vector<tern_host::UtmEntity>& others, const tern_host::LocalFrame& frame,
+           std::vector<tern_host::Output> outputs) {
   const std::vector<tern_host::Conflict> conflicts = tern_host::conflicts_of(intent, others, frame);
-  if (!options.json.empty()) tern_host::write_file(options.json, tern_host::intent_json(intent));
+  if (!options.json.empty()) outputs.push_back({options.json, tern_host::intent_json(intent)});
+  tern_host::write_files(outputs);
   std::fputs(tern_host::volumes_text(intent).c_str(), stdout);
   std::fputs(tern_host::conflicts_text(conflicts, others).c_str(), stdout);
   std::fputs(summary(conflicts, others.size()).c_str(), stdout);
   return tern_host::has_binding(conflicts) ? kExitNoPlan : kExitOk;
+}
+
+int show_plan(IntentOptions& options, const std::vector<tern_host::UtmEntity>& others,
+              const tern_host::LocalFrame& frame) {
+  tern_host::TimedPath path = tern_host::read_timed_path(options.plan);
+  if (options.rest > 0.0) path = tern_host::with_rest(path, options.rest);
+  options.intent.volumes = tern_host::tube_volumes(path, frame, options.tube);
+  return report(options, options.intent, others, frame, {});
+}
+
+/// Plans, and gives way where that must be.
+int show_scenario(const IntentOptions& options, const tern_host::Scenario& scenario,
+                  const std::vector<tern_host::UtmEntity>& others, const tern_host::LocalFrame& frame) {
+  tern_host::Session session;
+  const std::vector<tern_host::Proposal> proposals = tern_host::proposals_of(
+      session, scenario, options.intent, others, frame, {options.tube, options.rest, options.longest_delay});
+  const tern_host::Proposal* const best = tern_host::best_of(proposals);
+  std::FILE* const to = best == nullptr ? stderr : stdout;
+  std::fputs(tern_host::proposals_text(proposals).c_str(), to);
+  if (best == nullptr) return kExitNoPlan;
+  std::vector<tern_host::Output> outputs;
+  if (!options.plan_json.empty()) outputs.push_back({options.plan_json, tern_host::plan_json(best->result)});
+  return report(options, best->intent, others, frame, outputs);
+}
+
+int show_intent(IntentOptions& options) {
+  check_options(options);
+  const tern_host::LocalFrame frame({{options.origin[0], options.origin[1]}, options.height});
+  std::vector<std::string> inputs = options.others;
+  if (options.scenario.empty()) {
+    inputs.push_back(options.plan);
+    check_output_paths(inputs, {options.json});
+    return show_plan(options, read_others(options.others), frame);
+  }
+  const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  print_warnings(scenario.warnings);
+  for (const std::string& path : tern_host::input_paths(scenario)) inputs.push_back(path);
+  check_output_paths(inputs, {options.json, options.plan_json});
+  return show_scenario(options, scenario, read_others(options.others), frame);
 }
 
 void add_frame_options(CLI::App& command, IntentOptions& options) {
@@ -99,6 +143,17 @@ void add_tube_options(CLI::App& command, IntentOptions& options) {
   command.add_option("--rest", options.rest, "How long the vehicle stays where the plan ends, s");
 }
 
+void add_scenario_options(CLI::App& command, IntentOptions& options) {
+  command.add_option("--scenario", options.scenario, "Plan this, and give way where that must be")->type_name("FILE");
+  command.add_option("--set", options.overrides, "Replace a setting of the scenario, as for tern plan")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--longest-delay", options.longest_delay, "How much later the flight may begin, s")
+      ->capture_default_str();
+  command.add_option("--plan", options.plan_json, "Write the plan that gives way")->type_name("FILE");
+}
+
 }  // namespace
 
 void add_intent_command(CLI::App& app, int& exit_status) {
@@ -107,7 +162,8 @@ void add_intent_command(CLI::App& app, int& exit_status) {
   intent.state = "Accepted";
   CLI::App* const command =
       app.add_subcommand("intent", "Make an operational intent (ASTM F3548) of a plan, and check it against others'");
-  command->add_option("PLAN", options->plan, "A plan, as tern plan --json writes it")->required();
+  command->add_option("PLAN", options->plan, "A plan, as tern plan --json writes it");
+  add_scenario_options(*command, *options);
   add_frame_options(*command, *options);
   add_tube_options(*command, *options);
   command->add_option("--others", options->others, "Operational intents and constraints of others")

@@ -119,14 +119,12 @@ void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>&
   fence.fence.from = times.from;
   fence.fence.until = times.until;
   fence.fence.clock_error = times.clock_error;
-  std::size_t planes = fence.planes.size();
-  for (const FenceRecord& other : fences) planes += other.planes.size();
-  if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
-    throw RecordError(
-        place, "more than " + std::to_string(tern::kMaxFencePlanes) + " half-spaces in fences (TERN_MAX_FENCE_PLANES)");
+  if (fence.planes.size() > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
+    throw RecordError(place, "a fence of more than " + std::to_string(tern::kMaxFencePlanes) +
+                                 " half-spaces (TERN_MAX_FENCE_PLANES)");
   }
-  if (fences.size() == static_cast<std::size_t>(tern::kMaxFences)) {
-    throw RecordError(place, "more than " + std::to_string(tern::kMaxFences) + " fences (TERN_MAX_FENCES)");
+  if (fences.size() == kMostFences) {
+    throw RecordError(place, "more than " + std::to_string(kMostFences) + " fences");
   }
   fences.push_back(fence);
 }
@@ -145,6 +143,26 @@ bool misses(const FenceRecord& fence, const tern::GridSpec& map) {
   return tern::find_fence_fault(fences_of(within).data(), 1, map).status == tern::Status::kFenceEmpty;
 }
 
+/// The index of an empty fence. The core looks at keep-outs one by one, and at all keep-ins together, which must fit a
+/// request.
+std::int32_t find_empty(const std::vector<FenceRecord>& fences, const tern::GridSpec& map) {
+  const std::vector<tern::Fence> all = fences_of(fences);
+  std::vector<tern::Fence> keep_ins;
+  std::vector<std::int32_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool keeps_in = all[i].kind == tern::FenceKind::kKeepIn;
+    if (keeps_in) {
+      keep_ins.push_back(all[i]);
+      places.push_back(static_cast<std::int32_t>(i));
+    } else if (tern::find_fence_fault(&all[i], 1, map).status == tern::Status::kFenceEmpty) {
+      return static_cast<std::int32_t>(i);
+    }
+  }
+  const auto count = static_cast<std::int32_t>(keep_ins.size());
+  const tern::FenceFault fault = tern::find_fence_fault(keep_ins.data(), count, map);
+  return fault.status == tern::Status::kFenceEmpty ? places[static_cast<std::size_t>(fault.fence)] : tern::kNoFence;
+}
+
 /// Half-spaces that miss the map are most likely a slip of a sign, and then nothing is kept out.
 void refuse_keepouts_elsewhere(const std::vector<FenceRecord>& fences, const tern::GridSpec& map) {
   for (const FenceRecord& fence : fences) {
@@ -160,10 +178,9 @@ void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box
   tern::GridSpec map{};
   map.boundary = boundary;
   map.radius = clearance;
-  const std::vector<tern::Fence> list = fences_of(fences);
-  const tern::FenceFault fault = tern::find_fence_fault(list.data(), static_cast<std::int32_t>(list.size()), map);
-  if (fault.status != tern::Status::kFenceEmpty) return refuse_keepouts_elsewhere(fences, map);
-  const FenceRecord& empty = fences[static_cast<std::size_t>(fault.fence)];
+  const std::int32_t found = find_empty(fences, map);
+  if (found == tern::kNoFence) return refuse_keepouts_elsewhere(fences, map);
+  const FenceRecord& empty = fences[static_cast<std::size_t>(found)];
   const bool keeps_in = empty.fence.kind == tern::FenceKind::kKeepIn;
   const std::string others = keeps_in && !tern::is_timed(empty.fence) ? " with those of the keep-ins before it" : "";
   throw RecordError(empty.place, "'" + empty.key + "' is empty: its half-spaces have no common point" + others +
@@ -173,6 +190,13 @@ void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box
 bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind) {
   return std::any_of(fences.begin(), fences.end(),
                      [kind](const FenceRecord& fence) { return fence.fence.kind == kind; });
+}
+
+bool exceeds_capacity(const std::vector<FenceRecord>& fences) {
+  std::size_t planes = 0;
+  for (const FenceRecord& record : fences) planes += record.planes.size();
+  return fences.size() > static_cast<std::size_t>(tern::kMaxFences) ||
+         planes > static_cast<std::size_t>(tern::kMaxFencePlanes);
 }
 
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records) {

@@ -5,6 +5,7 @@
 #ifndef TERN_HOST_FENCE_RECORD_HPP
 #define TERN_HOST_FENCE_RECORD_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
@@ -41,8 +42,14 @@ struct FenceTimes {
 /// Takes `during t0 t1` or `during t0 t1 error` off the end of a record. Throws RecordError.
 FenceTimes take_window(const Place& place, Words& words);
 
-/// Appends the fence of a record for which is_fence() holds. Throws RecordError, also where the core takes no more.
+/// The most fences of a file. A request takes fewer (TERN_MAX_FENCES): Session::plan() chooses, flights refuse.
+constexpr std::size_t kMostFences = 4096;
+
+/// Appends the fence of a record for which is_fence() holds. Throws RecordError, also beyond kMostFences.
 void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceTimes& times = {});
+
+/// True if there are more fences or half-spaces than a request takes.
+bool exceeds_capacity(const std::vector<FenceRecord>& fences);
 
 /// Throws RecordError where the core would refuse them as empty on a map with this boundary and clearance: a keep-out
 /// without any point, or keep-ins without one in common. Also for keep-out half-spaces without a point in the map: a

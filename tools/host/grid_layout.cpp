@@ -17,10 +17,12 @@ bool below(const Vec3& a, const Vec3& b) {
   return a.x < b.x || a.y < b.y || a.z < b.z;
 }
 
+/// Keep-outs may have no end anywhere.
 bool block_sticks_out(const Scenario& scenario) {
-  return std::any_of(scenario.blocks.begin(), scenario.blocks.end(), [&](const Block& block) {
-    return below(block.box.lower, scenario.boundary.lower) || below(scenario.boundary.upper, block.box.upper);
-  });
+  return !scenario.marked.empty() ||
+         std::any_of(scenario.blocks.begin(), scenario.blocks.end(), [&](const Block& block) {
+           return below(block.box.lower, scenario.boundary.lower) || below(scenario.boundary.upper, block.box.upper);
+         });
 }
 
 /// The grid of a scenario at one resolution. Counts are doubles: they may be beyond any integer.

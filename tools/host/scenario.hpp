@@ -61,6 +61,7 @@ struct Scenario {
   tern::Box boundary{};
   std::vector<Block> blocks;
   std::vector<FenceRecord> fences;
+  std::vector<FenceRecord> marked;  ///< keep-outs that are in the grid, as all voxels that they reach into
   std::vector<TrackRecord> tracks;
   double start_time = 0.0;  ///< when the plan begins
   double rest_clear = 0.0;  ///< for how long the plan's end must be clear of the tracks

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/fence_choice.hpp"
 #include "host/grid_layout.hpp"
 #include "host/map/scenario_grid.hpp"
 #include "tern/record.hpp"
@@ -91,6 +92,19 @@ tern::Status Session::build_grid(PlanResult& result) {
 }
 
 PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
+  if (!exceeds_capacity(scenario.fences)) return plan_once(scenario, previous, previous_time);
+  FenceChoice choice(scenario);
+  PlanResult result = plan_once(choice.chosen(), previous, previous_time);
+  while (result.ok() && choice.add_broken(result.trajectory)) {
+    result = plan_once(choice.chosen(), previous, previous_time);
+  }
+  result.scenario.fences = scenario.fences;
+  result.report.fence = choice.index_of(result.report.fence);
+  result.report.check.fence = choice.index_of(result.report.check.fence);
+  return result;
+}
+
+PlanResult Session::plan_once(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
   PlanResult result;
   result.scenario = scenario;
   result.grid = lay_out_grid(scenario);

@@ -56,13 +56,15 @@ class Session {
   explicit Session(const Clock& clock = platform_clock());
 
   /// Lays out, fills and inflates the grid, and plans, from the instant `previous_time` of `previous` if that is given.
-  /// Throws ScenarioError where the grid does not fit.
+  /// Of more fences than a request takes, it plans among those that matter (FenceChoice), and proves the plan against
+  /// all. Throws ScenarioError where the grid does not fit.
   PlanResult plan(const Scenario& scenario, const tern::Trajectory* previous = nullptr, double previous_time = 0.0);
 
   /// The record of the last plan (tern/record.hpp). Its grid must have been bound.
   std::string record(const PlanResult& result) const;
 
  private:
+  PlanResult plan_once(const Scenario& scenario, const tern::Trajectory* previous, double previous_time);
   tern::Status build_grid(PlanResult& result);
   double microseconds(std::uint64_t ticks) const;
 

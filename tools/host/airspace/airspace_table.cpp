@@ -103,9 +103,9 @@ std::string capacity_text(const Airspace& airspace) {
   const int fences = airspace.fence_count(), planes = airspace.plane_count();
   std::string text = std::to_string(fences) + " fences with " + std::to_string(planes) + " half-spaces";
   if (fences > tern::kMaxFences || planes > tern::kMaxFencePlanes) {
-    text += ": more than this build takes (TERN_MAX_FENCES " + std::to_string(tern::kMaxFences) +
+    text += ": more than a request takes (TERN_MAX_FENCES " + std::to_string(tern::kMaxFences) +
             ", TERN_MAX_FENCE_PLANES " + std::to_string(tern::kMaxFencePlanes) +
-            "). Build with more, raise --looseness, or lessen --boundary";
+            "). tern plan chooses those that matter";
   }
   return text + "\n";
 }

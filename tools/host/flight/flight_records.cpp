@@ -158,6 +158,11 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (is_fence(key)) {
     refuse_window(words, place);
     add_fence(words, place, world.fences);
+    if (exceeds_capacity(world.fences)) {
+      throw RecordError(place, "more fences or half-spaces than a flight takes (TERN_MAX_FENCES " +
+                                   std::to_string(tern::kMaxFences) + ", TERN_MAX_FENCE_PLANES " +
+                                   std::to_string(tern::kMaxFencePlanes) + ")");
+    }
   } else if (key == "start") {
     world.start = vector(words, place);
     world.places.start = place;

@@ -53,7 +53,51 @@ bool is_unknown(const Scenario& scenario, const Grid& grid, const Voxel& voxel) 
                       [&](const auto& known) { return known->free(box); });
 }
 
+namespace {
+
+/// Voxels from `begin` to before `end`.
+struct Room {
+  Voxel begin;
+  Voxel end;
+};
+
+/// All of the room is beyond one of the half-spaces.
+bool is_beyond(const FenceRecord& fence, const Grid& grid, const Room& room) {
+  const Box from = world_box(grid, room.begin);
+  const Box to = world_box(grid, {room.end.x - 1, room.end.y - 1, room.end.z - 1});
+  return std::any_of(fence.planes.begin(), fence.planes.end(), [&](const tern::Halfspace& plane) {
+    const Vec3& n = plane.normal;
+    const Vec3 nearest{n.x > 0.0 ? from.lower.x : to.upper.x, n.y > 0.0 ? from.lower.y : to.upper.y,
+                       n.z > 0.0 ? from.lower.z : to.upper.z};
+    return n.x * nearest.x + n.y * nearest.y + n.z * nearest.z > plane.offset;
+  });
+}
+
+/// Halves the grid, and each half that the fence may reach into, down to voxels.
+void mark_fence(const FenceRecord& fence, Grid& grid) {
+  std::vector<Room> left{{kFirst, grid.spec().dims}};
+  while (!left.empty()) {
+    Room room = left.back();
+    left.pop_back();
+    if (is_beyond(fence, grid, room)) continue;
+    const Voxel size{room.end.x - room.begin.x, room.end.y - room.begin.y, room.end.z - room.begin.z};
+    const std::int32_t most = std::max({size.x, size.y, size.z});
+    if (most == 1) {
+      grid.mark_voxel(room.begin);
+      continue;
+    }
+    std::int32_t Voxel::*const axis = size.x == most ? &Voxel::x : size.y == most ? &Voxel::y : &Voxel::z;
+    Room other = room;
+    other.begin.*axis = room.end.*axis = room.begin.*axis + most / 2;
+    left.push_back(room);
+    left.push_back(other);
+  }
+}
+
+}  // namespace
+
 Status fill_grid(const Scenario& scenario, Grid& grid) {
+  for (const FenceRecord& fence : scenario.marked) mark_fence(fence, grid);
   for (const Block& block : scenario.blocks) {
     const Status marked = grid.mark_box(block.box);
     if (marked != Status::kOk) return marked;

@@ -15,8 +15,8 @@ namespace tern_host {
 /// is free. Without an OctoMap everything is known.
 bool is_unknown(const Scenario& scenario, const tern::Grid& grid, const tern::Voxel& voxel);
 
-/// Marks the blocks and, where the scenario takes the unknown for solid, what is not known. The grid is bound and
-/// empty; not inflated afterwards. kOk, or what the grid says of a block.
+/// Marks the blocks, the keep-outs that are marked and, where the scenario takes the unknown for solid, what is not
+/// known. The grid is bound and empty; not inflated afterwards. kOk, or what the grid says of a block.
 tern::Status fill_grid(const Scenario& scenario, tern::Grid& grid);
 
 /// A scenario's map as the planner gets it, and how much of it is what. Counted are the voxels within the boundary.

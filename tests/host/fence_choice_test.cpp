@@ -1,0 +1,149 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plans among more fences than a request takes: clear of all of them, by distances that no plan is made with.
+#include "host/fence_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/session.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using tern_host::FenceRecord;
+using tern_host::PlanResult;
+using tern_host::Scenario;
+using tern_test::Random;
+
+FenceRecord box(const tern::Vec3& lower, const tern::Vec3& upper) {
+  FenceRecord record;
+  tern::Halfspace planes[tern::kBoxPlanes];
+  tern::box_planes({lower, upper}, planes);
+  // Zones stand on the ground and have no top: four sides.
+  record.planes = {planes, planes + 4};
+  record.fence.kind = tern::FenceKind::kKeepOut;
+  return record;
+}
+
+/// How far a place is from such a box, in plan.
+double distance(const FenceRecord& zone, const tern::Vec3& p) {
+  double x = 0.0, y = 0.0;
+  for (const tern::Halfspace& side : zone.planes) {
+    const double beyond = side.normal.x * p.x + side.normal.y * p.y - side.offset;
+    double& along = side.normal.x != 0.0 ? x : y;
+    along = std::max(along, beyond);
+  }
+  return std::hypot(x, y);
+}
+
+Scenario open_field() {
+  return tern_host::parse_scenario(
+      "boundary 0 0 0 1000 1000 60\nstart 20 20 30\ngoal 980 980 30\nresolution 5\nradius 1\nv_max 12\na_max 4\n",
+      "field");
+}
+
+Scenario random_zones(Random& random, int count) {
+  Scenario scenario = open_field();
+  while (static_cast<int>(scenario.fences.size()) < count) {
+    const double x = random.real(0.0, 1000.0), y = random.real(0.0, 1000.0), size = random.real(3.0, 12.0);
+    const FenceRecord zone = box({x, y, -1.0}, {x + size, y + size, 100.0});
+    if (distance(zone, scenario.start.position) < 10.0 || distance(zone, scenario.goal.position) < 10.0) continue;
+    scenario.fences.push_back(zone);
+  }
+  return scenario;
+}
+
+TEST(FenceChoice, PlansKeepClearOfHundredsOfZones) {
+  Random random(107);
+  const int cases = tern_test::scaled(10);
+  tern_host::Session session;
+  for (int c = 0; c < cases; ++c) {
+    const Scenario scenario = random_zones(random, 500);
+    const PlanResult result = session.plan(scenario);
+    EXPECT_EQ(result.scenario.fences.size(), 500u);
+    ASSERT_TRUE(result.ok()) << "case " << c << ": " << tern::status_name(result.report.status);
+    const double end = tern::duration(result.trajectory);
+    for (int i = 0; i <= 2000; ++i) {
+      const tern::Vec3 p = tern::evaluate(result.trajectory, end * i / 2000).position;
+      for (const FenceRecord& zone : scenario.fences) ASSERT_GE(distance(zone, p), 1.0 - 1e-6) << "case " << c;
+    }
+  }
+}
+
+/// Walls across the way, open at the one end and at the other in turns.
+Scenario slalom(int walls) {
+  Scenario scenario = open_field();
+  scenario.start.position = {20, 500, 30};
+  scenario.goal.position = {980, 500, 30};
+  for (int i = 0; i < walls; ++i) {
+    const double x = 50.0 * (i + 1), y = i % 2 == 0 ? -10.0 : 480.0;
+    scenario.fences.push_back(box({x, y, -1.0}, {x + 2.0, y + 530.0, 100.0}));
+  }
+  return scenario;
+}
+
+TEST(FenceChoice, MarksWhatARequestTakesNoMore) {
+  const Scenario scenario = slalom(18);
+  tern_host::Session session;
+  const PlanResult result = session.plan(scenario);
+  ASSERT_TRUE(result.ok()) << tern::status_name(result.report.status);
+  EXPECT_EQ(result.scenario.marked.size() + tern::kMaxFences, 18u) << "all of them matter";
+  const double end = tern::duration(result.trajectory);
+  for (int i = 0; i <= 5000; ++i) {
+    const tern::Vec3 p = tern::evaluate(result.trajectory, end * i / 5000).position;
+    for (const FenceRecord& wall : scenario.fences) ASSERT_GE(distance(wall, p), 1.0 - 1e-6);
+  }
+}
+
+TEST(FenceChoice, SaysThatTooManyMatterForAWhile) {
+  Scenario scenario = slalom(18);
+  for (FenceRecord& wall : scenario.fences) {
+    wall.fence.from = -1000000000;
+    wall.fence.until = 1000000000000;
+  }
+  tern_host::Session session;
+  const tern::Status status = session.plan(scenario).report.status;
+  EXPECT_TRUE(status == tern::Status::kFencesFull || status == tern::Status::kNoClearTime) << tern::status_name(status);
+}
+
+TEST(FenceChoice, NumbersFencesAsTheyWereGiven) {
+  Random random(108);
+  Scenario scenario = random_zones(random, 40);
+  scenario.fences.push_back(box({975, 975, -1.0}, {985, 985, 100.0}));
+  tern_host::Session session;
+  const PlanResult result = session.plan(scenario);
+  EXPECT_EQ(result.report.status, tern::Status::kGoalFenced);
+  EXPECT_EQ(result.report.fence, 40);
+}
+
+TEST(FenceChoice, KnowsWindows) {
+  Random random(109);
+  Scenario scenario = random_zones(random, 40);
+  scenario.rest_clear = 5.0;
+  // Across the way at the wrong time, and across it while the plan is there.
+  FenceRecord closed = box({490, 400, -1.0}, {510, 600, 100.0});
+  closed.fence.from = 1000000000000;
+  closed.fence.until = 2000000000000;
+  scenario.fences.push_back(closed);
+  tern_host::Session session;
+  const PlanResult before = session.plan(scenario);
+  ASSERT_TRUE(before.ok());
+  scenario.fences.back().fence.from = 0;
+  const PlanResult after = session.plan(scenario);
+  ASSERT_TRUE(after.ok());
+  bool passed = false;
+  for (int i = 0; i <= 2000; ++i) {
+    const double u = static_cast<double>(i) / 2000;
+    const tern::Vec3 p = tern::evaluate(before.trajectory, u * tern::duration(before.trajectory)).position;
+    const tern::Vec3 q = tern::evaluate(after.trajectory, u * tern::duration(after.trajectory)).position;
+    passed = passed || distance(closed, p) < 1.0;
+    ASSERT_GE(distance(closed, q), 1.0 - 1e-6);
+  }
+  EXPECT_TRUE(passed) << "the zone is not in the way";
+}
+
+}  // namespace
