@@ -1,6 +1,7 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Random scenarios in families, as text: scenario `seed` of a family is the same in every run and on every machine."""
+import math
 import random
 
 # What the paper's six maps say, for starts and goals elsewhere in them.
@@ -97,6 +98,30 @@ def fences(rng):
     return lines + [line("radius", rng.uniform(0.1, 0.3))]
 
 
+def zones(rng):
+    """Zones of a city: more upright prisms than a request takes fences, with bottoms and tops, a quarter for a while."""
+    lower, upper, radius = [0, 0, 0], [120, 80, 20], rng.uniform(0.3, 0.8)
+    lines = basic(rng, lower, upper, 3.0)
+    ends = [[float(word) for word in text.split()[1:3]] for text in lines[1:]]
+    for _ in range(rng.randint(20, 60)):
+        middle, reach = [rng.uniform(0, 120), rng.uniform(0, 80)], rng.uniform(1, 6)
+        if any(math.dist(middle, end) < 3 * reach + 1 for end in ends):
+            continue
+        corners, turned, planes = rng.randint(3, 6), rng.uniform(0, 2 * math.pi), []
+        for k in range(corners):
+            angle = turned + 2 * math.pi * (k + rng.uniform(-0.2, 0.2)) / corners
+            normal = [math.cos(angle), math.sin(angle), 0]
+            planes += [*normal, sum(n * m for n, m in zip(normal, middle)) + reach * rng.uniform(0.5, 1)]
+        if rng.random() < 0.5:
+            bottom = rng.uniform(0, 12)
+            planes += [0, 0, -1, -bottom, 0, 0, 1, bottom + rng.uniform(2, 10)]
+        begin = rng.uniform(-10, 30)
+        during = f" during {begin:.3f} {begin + rng.uniform(1, 40):.3f} {rng.choice([0, 0.5])}"
+        lines.append(line("keepout_halfspaces", *planes) + (during if rng.random() < 0.25 else ""))
+    return lines + [line("radius", radius), line("resolution", 1), line("v_max", rng.uniform(3, 12)),
+                    line("a_max", rng.uniform(2, 6)), line("rest_clear", rng.choice([0, 5]))]
+
+
 def motion(rng):
     """Starts and goals that move."""
     lines = boxes(rng)
@@ -162,7 +187,7 @@ def maps(rng, folder):
     return kept
 
 
-FAMILIES = {"forest": forest, "boxes": boxes, "walls": walls, "limits": limits, "fences": fences, "motion": motion,
+FAMILIES = {"forest": forest, "boxes": boxes, "walls": walls, "limits": limits, "fences": fences, "zones": zones, "motion": motion,
             "vehicles": vehicles, "vias": vias, "beyond": beyond, "far": far, "maps": maps}
 
 

@@ -4,7 +4,9 @@
 """screenshots.py TERN DEMO FOLDER: page and demo on a desktop and a phone, light and dark, to FOLDER/page/; and a flight
 without controls around it to FOLDER/flight.png.
 
-screenshots.py --flight PAGE FILE: the flight of a page without controls around it."""
+screenshots.py --flight PAGE FILE: the flight of a page without controls around it.
+
+screenshots.py --at SECONDS PAGE FILE: a page as it is then."""
 import base64
 import pathlib
 import struct
@@ -89,7 +91,20 @@ def take_still(tab, page, path):
     take(tab, path)
 
 
+def take_at(tab, seconds, page, path):
+    tab.screen(width=1000, height=700)
+    tab.open(page.as_uri(), "window.page && page.views")
+    tab.run("page.player.playing && page.player.toggle()")
+    tab.run(f"page.player.set({seconds})")
+    take(tab, path)
+
+
 def main():
+    if sys.argv[1] == "--at":
+        page, path = (pathlib.Path(name).resolve() for name in sys.argv[3:])
+        with browser.Browser(browser.find()) as tab:
+            take_at(tab, float(sys.argv[2]), page, path)
+        return
     if sys.argv[1] == "--flight":
         page, path = (pathlib.Path(name).resolve() for name in sys.argv[2:])
         with browser.Browser(browser.find()) as tab:

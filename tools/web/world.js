@@ -67,12 +67,15 @@ function ghostObstacles(run, palette) {
   return group;
 }
 
-/** What must be kept out of is filled; of what must be stayed in, the edges are drawn. */
+/** What must be kept out of is filled; of what must be stayed in, the edges are drawn. Fences may have no end: the part
+ * in the boundary is shown. */
 function fences(run, palette) {
   const group = new THREE.Group();
+  const [x0, y0, z0, x1, y1, z1] = run.boundary;
+  const boundary = [[1, 0, 0, x1], [-1, 0, 0, -x0], [0, 1, 0, y1], [0, -1, 0, -y0], [0, 0, 1, z1], [0, 0, -1, -z0]];
   run.fences.forEach((fence, i) => {
     const opacities = fence.keep_in ? [0.02, 0.8] : [0.28, 0.9];
-    const mesh = polyhedraMesh([fence.halfspaces], volumeMaterials(palette.fence, ...opacities));
+    const mesh = polyhedraMesh([[...fence.halfspaces, ...boundary]], volumeMaterials(palette.fence, ...opacities));
     mesh.userData.window = run.windows ? run.windows[i] : null;
     group.add(mesh);
   });
