@@ -104,7 +104,7 @@ TEST(FlightCurves, WhatRestsAtTheGoalIsWaitedFor) {
   room.flight.set_goal(goal);
   EXPECT_FALSE(room.tick_until([&] { return room.report.reason == FlightReason::kArrived; }, 800));
   EXPECT_EQ(room.speed(), 0.0);
-  EXPECT_NEAR(distance(room.position(), goal), kBall + FlightRoom::kRadius + FlightRoom::kCell, 1e-6);
+  EXPECT_NEAR(distance(room.position(), goal), kBall + 3.0 * FlightRoom::kRadius, 1e-6);
   EXPECT_EQ(room.flight.update_track(vehicle(9, goal, leaves, room.time)), Status::kOk);
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }

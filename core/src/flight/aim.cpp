@@ -16,6 +16,10 @@ constexpr std::int32_t kMostBack = 4;
 /// How often a place is moved back to make room: each time out of the reach of one more vehicle.
 constexpr int kMostMoves = 8;
 
+/// A place that is moved back is so many clearances from the thing that rests there: another vehicle fits between them,
+/// so that what rests there can leave.
+constexpr double kRoomBetween = 3.0;
+
 /// True if it is known where the thing comes to rest: its curve ends, or it stands still for certain.
 bool has_rest(const Track& track) {
   const bool stands = same(track.velocity, kZero) && !(track.error_speed + track.error_growth + track.reach > 0.0);
@@ -222,13 +226,21 @@ bool Aim::leave_room(const TrackTable& things, double clearance, double cell) no
     if (there == nullptr || !(far > 0.0)) return move > 0;
     const Vec3 back = (1.0 / far) * (from - place);
     const Vec3 off = place - rest_of(*there);
-    const double room = room_of(*there, clearance + cell);
+    const double room = room_of(*there, kRoomBetween * clearance);
     const double along = dot(off, back);
     const double step = square_root(larger(0.0, along * along - dot(off, off) + room * room)) - along;
     lead_to(step < far ? place + step * back : from);
     beside_target = moved = false;
   }
   return true;
+}
+
+void Aim::step_aside(double far) noexcept {
+  const Vec3 way = target_place - start.d[0];
+  const double long_way = horizontal_length(way);
+  const Vec3 aside = long_way > 0.0 ? Vec3{-way.y / long_way, way.x / long_way, 0.0} : Vec3{1.0, 0.0, 0.0};
+  forget_points();
+  lead_to(start.d[0] + far * aside);
 }
 
 void Aim::return_to_line(const FlightFacts& flight) noexcept {

@@ -77,6 +77,7 @@ struct Cycle {
   bool looks_out;            ///< the plan leads to a lookout, or to a place on the way to one
   std::uint32_t question;    ///< number of the last draft that waits, or waited, for an answer
   bool cut_off;              ///< no way leads to the target, and the vehicle rests as near to it as it can
+  bool steps_aside;          ///< the plan leads out of the way of something that moves, no nearer to the target
   std::uint32_t met_things;  ///< plans in a row that failed because of things that move
   BranchSearch branches;
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
@@ -99,7 +100,8 @@ struct Cycle {
   /// kFailed if the vehicle rests, and things leave it no place to go to.
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   /// How far ahead the next plan leads, m. Each plan in a row that failed because of things that move leads half as far
-  /// as the one before, down to an eighth of FlightSpec::horizon; then the next one leads all of it again.
+  /// as the one before, down to an eighth of FlightSpec::horizon; then the next one leads all of it again. At rest, the
+  /// shortest one leads aside instead, by turns to the left and to the right.
   double horizon(const FlightFacts& flight) const noexcept;
   /// The planner is done. `found` says what it found.
   Status finish(Report& found) noexcept;

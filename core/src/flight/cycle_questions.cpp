@@ -18,6 +18,11 @@ constexpr std::uint32_t kTracksPart = 4;
 /// Operations of a plan or a route without the planner's: choosing an aim and a draft, and copies of trajectories.
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
+/// After so many plans that met things that move, each shorter than the one before, the next one is of full length
+/// again. At rest, the last of them steps aside, so many clearances: past what rests right ahead, no plan may be found.
+constexpr std::uint32_t kShorterPlans = 4;
+constexpr double kAside = 3.0;
+
 /// For so long, the end of a plan must stay clear of what things that move are expected to do, seconds.
 constexpr double kRestClear = 0.2;
 
@@ -58,7 +63,7 @@ void Cycle::ask(const FlightFacts& flight) noexcept {
 }
 
 double Cycle::horizon(const FlightFacts& flight) const noexcept {
-  return flight.spec.horizon / static_cast<double>(1u << (met_things % 4));
+  return flight.spec.horizon / static_cast<double>(1u << (met_things % kShorterPlans));
 }
 
 Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
@@ -70,7 +75,11 @@ Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
 
 Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept {
   const double cell = flight.map.safe().spec().cell;
-  const bool makes_room = aim.leave_room(expected, flight.map.safe().spec().clearance(), cell);
+  const double clearance = flight.map.safe().spec().clearance();
+  steps_aside = met_things % kShorterPlans == kShorterPlans - 1 && flight.rests_at(takeover);
+  if (steps_aside)
+    aim.step_aside(met_things % (2 * kShorterPlans) < kShorterPlans ? kAside * clearance : -kAside * clearance);
+  const bool makes_room = aim.leave_room(expected, clearance, cell);
   if (makes_room && flight.rests_at(takeover) && distance(aim.place, aim.start.d[0]) < cell) return Progress::kFailed;
   Request request = request_to(aim, flight);
   request.begin = takeover;

@@ -195,7 +195,7 @@ Status FlightState::answer(std::uint32_t number, bool may_fly) noexcept {
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle
 /// flies back and forth without end.
 void FlightState::enter_draft() noexcept {
-  if (!draft.extends && !evasion.is_running && !draft.plan.looks_out) {
+  if (!draft.extends && !evasion.is_running && !draft.plan.looks_out && !cycle.steps_aside) {
     facts.itinerary.count_plan(facts, cycle.aim.start.d[0]);
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
