@@ -164,6 +164,29 @@ TEST(FlightClearance, AStopFollowsTheCommittedPlanToItsEnd) {
   EXPECT_EQ(room.flight.proposal(room.plan, room.takeover), 0u);
 }
 
+// Who clears plans agreed to it. A thing that is measured is a threat all the same.
+TEST(FlightClearance, AnotherVehiclesCurveIsNoThreat) {
+  AskingInFlight room;
+  TrackPiece across{0.9, {}};
+  for (int k = 0; k < kControlPoints; ++k) across.points[k] = {0.0, 2.0 * k / 7.0, 0.0};
+  Track vehicle;
+  vehicle.measured = room.time;
+  vehicle.position = room.position() + Vec3{3.0, -2.0, 0.0};
+  vehicle.radius = 0.3;
+  vehicle.pieces = &across;
+  vehicle.piece_count = 1;
+  EXPECT_EQ(room.flight.update_track(vehicle), Status::kOk);
+  room.tick();
+  EXPECT_NE(room.report.mode, FlightMode::kThreat);
+  vehicle.id = 2;
+  vehicle.position.y += 2.0;
+  vehicle.pieces = nullptr;
+  vehicle.piece_count = 0;
+  EXPECT_EQ(room.flight.update_track(vehicle), Status::kOk);
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+}
+
 TEST(FlightClearance, ABrakeForAThreatDoesNotAsk) {
   AskingInFlight room;
   const Vec3 ahead = room.position() + Vec3{2.5, 0.0, 0.0};

@@ -109,6 +109,18 @@ TEST(FlightCurves, WhatRestsAtTheGoalIsWaitedFor) {
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 
+// A flight that gave up goes on once another vehicle has another curve.
+TEST(FlightCurves, AnotherCurveEndsAFlightsRest) {
+  FlightRoom room;
+  room.flight.set_goal({6.125, 0.125, 1.125});
+  room.state().park(FlightReason::kNoProgress);
+  room.tick();
+  EXPECT_EQ(room.report.reason, FlightReason::kNoProgress);
+  const std::vector<TrackPiece> leaves = {straight_piece({}, {0.0, 4.0, 0.0}, 2.0)};
+  EXPECT_EQ(room.flight.update_track(vehicle(9, {3.0, 2.0, 1.0}, leaves, room.time)), Status::kOk);
+  EXPECT_EQ(room.fly(), FlightReason::kArrived);
+}
+
 TEST(FlightCurves, RefusesWhatItHasNoRoomFor) {
   FlightRoom room;
   room.tick();

@@ -26,6 +26,7 @@ void add_replay_command(CLI::App& app, int& exit_status);
 void add_verify_command(CLI::App& app, int& exit_status);
 void add_airspace_command(CLI::App& app, int& exit_status);
 void add_intent_command(CLI::App& app, int& exit_status);
+void add_swarm_command(CLI::App& app, int& exit_status);
 void add_world_command(CLI::App& app, int& exit_status);
 
 }  // namespace tern_cli

@@ -93,6 +93,7 @@ int run(int argc, char** argv) {
 #ifdef TERN_HAS_VERIFY
   tern_cli::add_verify_command(app, exit_status);
 #endif
+  tern_cli::add_swarm_command(app, exit_status);
   tern_cli::add_world_command(app, exit_status);
 #ifdef TERN_HAS_AIRSPACE
   tern_cli::add_airspace_command(app, exit_status);

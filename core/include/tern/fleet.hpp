@@ -143,7 +143,8 @@ class Fleet {
   int32_t neighbours() const noexcept;
   Neighbour neighbour(int32_t index) const noexcept;
   /// What a plan of this vehicle should keep clear of: for each member whose plan is known, the tube in which it is
-  /// now, and that of the plan which it announced and may take over. Pieces that are over are left out. kOk;
+  /// now, and that of the plan which it announced and may take over. Track::id is the member's, Track::kind is the
+  /// number of the plan: the same plan has the same number each time. Pieces that are over are left out. kOk;
   /// kTracksFull or kTrackPiecesFull if there is not enough room; then `count` is the number of tracks that fit.
   Status traffic(int64_t now, Track* tracks, int32_t room, TrackPiece* pieces, int32_t piece_room,
                  int32_t& count) const noexcept;

@@ -211,7 +211,7 @@ class Flight {
   ///
   /// A track with pieces, as track_of() makes it of another vehicle's plan, is taken at its word: plans and proofs keep
   /// clear of the curve and its error. The pieces are copied. It may begin later than now. Each new curve of a thing is
-  /// a measurement outside its tube.
+  /// a measurement outside its tube, unless plans need a clearance: who gives that keeps curves clear of them.
   ///
   /// kOk; or a refusal, which leaves the thing as it was: kNonFiniteInput; kTracksFull (kMaxFlightTracks are known);
   /// kTrackPiecesFull (more than kMaxTrackPieces with those of all other things, or no kMaxFlightPieces are left while

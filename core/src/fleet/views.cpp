@@ -42,6 +42,7 @@ Status add_track(const FleetMemory& fleet, const Peer& peer, std::int8_t plan, s
   if (is_full(read_piece_count(theirs.bytes, theirs.size) + 1 > traffic.piece_room)) return Status::kTrackPiecesFull;
   Track& track = traffic.tracks[traffic.count];
   read_plan(theirs.bytes, theirs.size, fleet.spec.clock_error, traffic.pieces, track);
+  track.kind = peer.names[plan].number;
   track.radius = 1e-3 * peer.state.radius;
   // What the others do not know of this vehicle's plan: its rounded points, and its clock.
   track.error = 2.0 * track.error + 1e-9 * fleet.spec.speed * static_cast<double>(fleet.spec.clock_error);

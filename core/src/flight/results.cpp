@@ -208,7 +208,7 @@ void FlightState::enter_draft() noexcept {
   watch.note_commit(draft.extends, draft.takeover);
   if (!draft.extends) facts.stray.note_plan();
   // What was measured during the proof may refute its tubes.
-  const bool has_news = draft.plan.tubes.take_news(facts.tracks);
+  const bool has_news = draft.plan.tubes.take_news(facts.tracks, !(facts.spec.clearance > 0));
   facts.plans.commit(draft.plan, draft.extends);
   if (has_news) watch.prove_all();
 }

@@ -84,7 +84,11 @@ Status FlightState::update_track(const Track& measured) noexcept {
   if (known != Status::kOk) return known;
   bool has_news = plans.in_flight.tubes.take_news(taken, facts.tracks);
   if (plans.has_waiting) has_news = plans.waiting.tubes.take_news(taken, facts.tracks) || has_news;
-  if (has_news) watch.prove_all();
+  // Who clears plans keeps curves clear of them.
+  if (has_news && !(taken.piece_count > 0 && facts.spec.clearance > 0)) watch.prove_all();
+  // What rested in the way may leave.
+  const bool is_stuck = facts.itinerary.parked && facts.itinerary.reason == FlightReason::kNoProgress;
+  if (is_stuck && taken.piece_count > 0) try_anew();
   return Status::kOk;
 }
 

@@ -126,9 +126,12 @@ bool TrackTable::take_news(const Track& measured, const TrackTable& latest) noex
   return true;
 }
 
-bool TrackTable::take_news(const TrackTable& latest) noexcept {
+bool TrackTable::take_news(const TrackTable& latest, bool curves_count) noexcept {
   bool has_news = false;
-  for (std::int32_t k = 0; k < latest.count; ++k) has_news = take_news(latest.tracks[k], latest) || has_news;
+  for (std::int32_t k = 0; k < latest.count; ++k) {
+    const bool is_news = take_news(latest.tracks[k], latest);
+    has_news = has_news || (is_news && (curves_count || latest.tracks[k].piece_count == 0));
+  }
   return has_news;
 }
 

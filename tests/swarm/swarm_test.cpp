@@ -1,0 +1,123 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whole swarms over bad links: nobody touches anybody, and what is flown is the same each time. The watch is tried on
+// ways that are known to touch.
+#include "host/swarm/swarm.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "support/random.hpp"
+
+namespace {
+
+using namespace tern_host;
+
+SwarmResult fly(const char* name, const SwarmSettings& settings) {
+  const SwarmWorld world = swarm_world(name);
+  return fly_swarm(world, settings);
+}
+
+TEST(Swarm, SwapsPlaces) {
+  const SwarmResult result = fly("swap-6:1", {});
+  EXPECT_EQ(result.arrived(), 6);
+  EXPECT_TRUE(result.contacts.empty());
+  EXPECT_GE(result.least_distance, 0.6);
+  EXPECT_LT(result.mean_travel(), 12.0);
+  EXPECT_EQ(result.lost, 0u);
+  for (const SwarmMember& member : result.members) {
+    EXPECT_EQ(member.unasked, 0u);
+    EXPECT_GT(member.length, 15.9);
+  }
+}
+
+TEST(Swarm, FliesTheSameAgain) {
+  SwarmSettings settings;
+  settings.links.loss = 0.3;
+  settings.links.delay_max = 0.1;
+  settings.clock_error = 0.01;
+  const SwarmResult once = fly("swap-4:1", settings);
+  EXPECT_EQ(once.hash, fly("swap-4:1", settings).hash);
+  ++settings.seed;
+  EXPECT_NE(once.hash, fly("swap-4:1", settings).hash);
+}
+
+// Half of the packets are lost, in bursts, late and twice; clocks differ; for some seconds half of them hear nothing of
+// the other half.
+TEST(Swarm, NobodyTouchesAnybodyOverBadLinks) {
+  SwarmSettings settings;
+  settings.links.loss = 0.5;
+  settings.links.burst = 4.0;
+  settings.links.delay_max = 0.3;
+  settings.links.repeated = 0.2;
+  settings.links.partition = {3.0, 5.0};
+  settings.clock_error = 0.02;
+  for (int run = 0; run < tern_test::scaled(3); ++run) {
+    settings.seed = 40 + static_cast<std::uint64_t>(run);
+    const SwarmResult result = fly("swap-5:1", settings);
+    EXPECT_TRUE(result.contacts.empty()) << run;
+    EXPECT_EQ(result.arrived(), 5) << run;
+  }
+}
+
+// Nobody hears anybody: nobody moves.
+TEST(Swarm, AllRestWithoutLinks) {
+  SwarmWorld world = swarm_world("swap-3:1");
+  world.time_limit = 4.0;
+  SwarmSettings settings;
+  settings.links.loss = 1.0;
+  const SwarmResult result = fly_swarm(world, settings);
+  EXPECT_EQ(result.arrived(), 0);
+  for (const SwarmMember& member : result.members) EXPECT_EQ(member.length, 0.0);
+}
+
+TEST(SwarmWorld, RefusesNamesThatAreNone) {
+  for (const char* name : {"", "swap", "swap-8", "swap:1", "swap-0:1", "swap-1001:1", "other-3:1", "swap-x:1"}) {
+    EXPECT_THROW(swarm_world(name), std::runtime_error) << name;
+  }
+  EXPECT_EQ(swarm_world("T10-7:3").tasks.size(), 7u);
+  EXPECT_EQ(swarm_world("T9-10:1").blocks.size(), 180u);
+}
+
+// Two bodies of 0.3 m cross at 90 degrees, the second one late by `late` seconds, at 2 m/s. Their centres come as near
+// as 2 * late / sqrt(2).
+SwarmWatch crossing(double late) {
+  SwarmWatch watch(
+      2, 0.3, 2.0,
+      [late](int k, std::int64_t t) {
+        const double s = 1e-9 * static_cast<double>(t) - 5.0 - (k == 1 ? late : 0.0);
+        return k == 0 ? tern::Vec3{2.0 * s, 0.0, 0.0} : tern::Vec3{0.0, 2.0 * s, 0.0};
+      },
+      nullptr);
+  for (int tick = 0; tick < 10; ++tick) watch.look(1000000000LL * tick, 1000000000LL * (tick + 1));
+  return watch;
+}
+
+TEST(SwarmWatch, FindsContactsBetweenTicks) {
+  const double just = 0.6 / std::sqrt(2.0);
+  EXPECT_TRUE(crossing(just + 1e-3).contacts().empty());
+  const SwarmWatch touched = crossing(just - 1e-3);
+  ASSERT_EQ(touched.contacts().size(), 1u);
+  EXPECT_LT(touched.contacts()[0].distance, 0.6);
+  EXPECT_NEAR(crossing(0.5).least_distance(), 0.5 * std::sqrt(2.0), 0.05);
+}
+
+TEST(SwarmWatch, FindsContactsWithWhatStandsStill) {
+  SwarmWatch watch(
+      1, 0.3, 2.0,
+      [](int, std::int64_t t) {
+        return tern::Vec3{2e-9 * static_cast<double>(t), 0.0, 0.0};
+      },
+      [](const tern::Vec3& p) { return std::hypot(p.x - 3.0, 0.29); });
+  watch.look(0, 1000000000);
+  EXPECT_TRUE(watch.contacts().empty());
+  watch.look(1000000000, 2000000000);
+  ASSERT_EQ(watch.contacts().size(), 1u);
+  EXPECT_EQ(watch.contacts()[0].second, -1);
+  EXPECT_NEAR(1e-9 * static_cast<double>(watch.contacts()[0].time), 1.5, 0.1);
+}
+
+}  // namespace

@@ -1,0 +1,129 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/output_paths.hpp"
+#include "host/atomic_file.hpp"
+#include "host/swarm/swarm.hpp"
+#include "host/swarm/swarm_json.hpp"
+
+namespace tern_cli {
+namespace {
+
+struct SwarmOptions {
+  std::string world;
+  std::string json;
+  int runs = 1;
+  std::vector<double> partition;
+  tern_host::SwarmSettings settings;
+};
+
+/// The same family with the seed of a later run.
+std::string member_of(const std::string& world, int run) {
+  const std::size_t colon = world.find(':');
+  if (run == 0 || colon == std::string::npos) return world;
+  return world.substr(0, colon + 1) + std::to_string(std::strtoull(world.c_str() + colon + 1, nullptr, 10) + run);
+}
+
+void show_progress(const std::string& name, double time, int arrived, std::size_t count) {
+  static double shown = -1.0;
+  if (isatty(STDERR_FILENO) == 0 || (time > shown && time < shown + 0.5)) return;
+  shown = time;
+  std::fprintf(stderr, "\r%s: %.1f s, %d of %zu arrived\033[K", name.c_str(), time, arrived, count);
+}
+
+void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& result) {
+  std::printf("%s: %d of %zu arrived, the last after %.2f s, travel %.2f s on average; %zu contacts\n",
+              world.name.c_str(), result.arrived(), world.tasks.size(), result.last_arrival(), result.mean_travel(),
+              result.contacts.size());
+  std::printf("  least distance %.3f m between centres (bodies touch at %.3f), least clearance %.3f m (%.3f)\n",
+              result.least_distance, 2.0 * world.body_radius, result.least_clearance, world.body_radius);
+  std::printf("  %" PRIu64 " of %" PRIu64
+              " packets lost, %.1f kB a vehicle a second; at most %u units of the fleet a tick\n",
+              result.lost, result.packets,
+              1e-3 * static_cast<double>(result.bytes) / (result.time * static_cast<double>(world.tasks.size())),
+              result.most_fleet_units);
+  std::printf("  %.1f s flown in %.1f s of processor time; hash %016" PRIx64 "\n", result.time, result.computed,
+              result.hash);
+  for (std::size_t k = 0; k < result.members.size(); ++k) {
+    const tern_host::SwarmMember& member = result.members[k];
+    if (member.arrived < 0.0) std::printf("  vehicle %zu: %s\n", k, member.state.c_str());
+    if (member.unasked > 0) std::printf("  vehicle %zu braked %u times without asking\n", k, member.unasked);
+  }
+  for (const tern_host::SwarmContact& contact : result.contacts) {
+    const std::string with = contact.second < 0 ? "an obstacle" : "vehicle " + std::to_string(contact.second);
+    std::printf("  contact at %.3f s: vehicle %d and %s, %.3f m\n", 1e-9 * static_cast<double>(contact.time),
+                contact.first, with.c_str(), contact.distance);
+  }
+}
+
+int fly(SwarmOptions& options) {
+  check_output_paths({}, {options.json});
+  if (options.partition.size() == 2) options.settings.links.partition = {options.partition[0], options.partition[1]};
+  bool all = true;
+  std::string json;
+  for (int run = 0; run < options.runs; ++run) {
+    const tern_host::SwarmWorld world = tern_host::swarm_world(member_of(options.world, run));
+    tern_host::SwarmSettings settings = options.settings;
+    settings.seed += static_cast<std::uint64_t>(run);
+    const tern_host::SwarmResult result = tern_host::fly_swarm(world, settings, [&](double time, int arrived) {
+      show_progress(world.name, time, arrived, world.tasks.size());
+    });
+    if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K");
+    print(world, result);
+    std::fflush(stdout);
+    all = all && result.arrived() == static_cast<int>(world.tasks.size()) && result.contacts.empty();
+    if (!options.json.empty()) json += tern_host::swarm_json(world, settings, result);
+  }
+  if (!options.json.empty()) tern_host::write_files({{options.json, json}});
+  return all ? kExitOk : kExitNoPlan;
+}
+
+}  // namespace
+
+void add_swarm_command(CLI::App& app, int& exit_status) {
+  const auto options = std::make_shared<SwarmOptions>();
+  tern_host::SwarmSettings& s = options->settings;
+  CLI::App* const command = app.add_subcommand("swarm", "Fly many vehicles that agree over lossy links");
+  command->footer("Families:\n" + tern_host::swarm_families());
+  command->add_option("WORLD", options->world, "A family, the number of vehicles and a seed, e.g. swap-8:1")
+      ->required();
+  command->add_option("--runs", options->runs, "Fly so many worlds, with seeds from that one on")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", s.seed, "Of links and clocks")->capture_default_str();
+  command->add_option("--loss", s.links.loss, "Part of the packets that is lost")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--burst", s.links.burst, "Packets in a row that are lost, on average")
+      ->check(CLI::Range(1.0, 1000.0));
+  command->add_option("--delay-min", s.links.delay_min, "Least delay of a packet, s")->check(CLI::Range(0.0, 10.0));
+  command->add_option("--delay", s.links.delay_max, "Largest delay of a packet, s")->check(CLI::Range(0.0, 10.0));
+  command->add_option("--repeated", s.links.repeated, "Part of the packets that comes twice")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--partition", options->partition, "Even and odd vehicles do not hear each other then, s")
+      ->type_name("FROM UNTIL")
+      ->expected(2);
+  command->add_option("--deaf", s.links.deaf, "This vehicle hears nobody");
+  command->add_option("--silent", s.links.silent, "This vehicle is not heard any more");
+  command->add_option("--silent-from", s.links.silent_from, "From then on, s");
+  command->add_option("--clock-error", s.clock_error, "By how much two clocks differ at most, s")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--send-hz", s.send_hz, "Rounds of packets a second")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  command->add_option("--packet", s.packet_bytes, "Bytes of a packet at most")
+      ->check(CLI::Range(27, 65507))
+      ->capture_default_str();
+  command->add_option("--clearance", s.clearance, "How long plans wait for answers, s (default: from the links)")
+      ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--json", options->json, "Write the result, one object a line, with all ways")->type_name("FILE");
+  command->callback([options, &exit_status] { exit_status = fly(*options); });
+}
+
+}  // namespace tern_cli

@@ -1,0 +1,67 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Radio links between vehicles that lose, delay, repeat and reorder packets.
+#ifndef TERN_HOST_SWARM_LINKS_HPP
+#define TERN_HOST_SWARM_LINKS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "host/flight/noise.hpp"
+
+namespace tern_host {
+
+/// Between these times, vehicles with an even number hear none with an odd one, and the other way round.
+struct Partition {
+  double from = 0.0;   ///< s
+  double until = 0.0;  ///< s
+};
+
+struct LinkSettings {
+  double loss = 0.0;       ///< part of the packets that is lost
+  double burst = 1.0;      ///< packets in a row that are lost, on average, >= 1
+  double delay_min = 0.0;  ///< s
+  double delay_max = 0.0;  ///< s; packets with different delays overtake each other
+  double repeated = 0.0;   ///< part of the packets that comes twice
+  Partition partition;
+  int deaf = -1;             ///< this vehicle hears nobody, though it is heard; -1: none
+  int silent = -1;           ///< this vehicle is not heard any more from silent_from on; -1: none
+  double silent_from = 0.0;  ///< s
+};
+
+using Packet = std::vector<std::uint8_t>;
+
+/// The links between all pairs. Equal seeds and calls give the same packets on every platform.
+class Links {
+ public:
+  Links(const LinkSettings& settings, int vehicles, std::uint64_t seed);
+
+  /// Vehicle `from` sends a packet to all others at `now`, ns.
+  void send(int from, const Packet& packet, std::int64_t now);
+  /// What arrives at a vehicle up to `now`, in order of arrival.
+  std::vector<Packet> receive(int to, std::int64_t now);
+
+  std::uint64_t sent() const { return sent_; }    ///< packets to one vehicle each
+  std::uint64_t lost() const { return lost_; }    ///< of those
+  std::uint64_t bytes() const { return bytes_; }  ///< that were sent, each packet once
+
+ private:
+  bool loses(int from, int to, double now);
+  void fly(int to, const Packet& packet, std::int64_t now);
+
+  LinkSettings settings_;
+  int vehicles_;
+  Noise noise_;
+  std::vector<char> in_burst_;  ///< of each link: it loses the next packet, too
+  /// By time of arrival and number.
+  std::vector<std::map<std::pair<std::int64_t, std::uint64_t>, Packet>> in_the_air_;
+  std::uint64_t sent_ = 0, lost_ = 0, bytes_ = 0, number_ = 0;
+};
+
+}  // namespace tern_host
+
+#endif

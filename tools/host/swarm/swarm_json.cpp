@@ -1,0 +1,75 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/swarm/swarm_json.hpp"
+
+#include <cinttypes>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace tern_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(const tern::Vec3& p) {
+  return Json::array({p.x, p.y, p.z});
+}
+
+Json members_json(const SwarmResult& result) {
+  Json all = Json::array();
+  for (const SwarmMember& member : result.members) {
+    Json one{{"arrived", member.arrived},
+             {"length", member.length},
+             {"commits", member.commits},
+             {"unasked", member.unasked}};
+    if (member.arrived < 0.0) one["state"] = member.state;
+    all.push_back(one);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string swarm_json(const SwarmWorld& world, const SwarmSettings& settings, const SwarmResult& result) {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016" PRIx64, result.hash);
+  Json contacts = Json::array();
+  for (const SwarmContact& contact : result.contacts) {
+    contacts.push_back({{"time", 1e-9 * static_cast<double>(contact.time)},
+                        {"first", contact.first},
+                        {"second", contact.second},
+                        {"distance", contact.distance}});
+  }
+  Json film = Json::array();
+  for (const auto& row : result.film) {
+    Json places = Json::array();
+    for (const tern::Vec3& place : row) places.push_back(point(place));
+    film.push_back(places);
+  }
+  const LinkSettings& links = settings.links;
+  const Json all{{"world", world.name},
+                 {"loss", links.loss},
+                 {"delay", links.delay_max},
+                 {"clock_error", settings.clock_error},
+                 {"seed", settings.seed},
+                 {"vehicles", result.members.size()},
+                 {"arrived", result.arrived()},
+                 {"last_arrival", result.last_arrival()},
+                 {"mean_travel", result.mean_travel()},
+                 {"time", result.time},
+                 {"least_distance", result.least_distance},
+                 {"least_clearance", result.least_clearance},
+                 {"body_radius", world.body_radius},
+                 {"contacts", contacts},
+                 {"packets", result.packets},
+                 {"lost", result.lost},
+                 {"bytes", result.bytes},
+                 {"fleet_units", result.most_fleet_units},
+                 {"hash", hash},
+                 {"members", members_json(result)},
+                 {"film_step", result.film_step},
+                 {"film", film}};
+  return all.dump() + "\n";
+}
+
+}  // namespace tern_host

@@ -1,0 +1,218 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/swarm/swarm_vehicle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "base/work.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Status;
+
+/// Voxels beside the world's boundary, so that its faces are seen as walls.
+constexpr int kBeside = 2;
+/// The window does not slide if it reaches so far beyond the world, in voxels, besides the horizon.
+constexpr int kSlideRoom = 40;
+
+std::int64_t nanoseconds(double seconds) {
+  return std::llround(1e9 * seconds);
+}
+
+int even_voxels(double metres, double cell) {
+  return 2 * static_cast<int>(std::ceil(0.5 * metres / cell));
+}
+
+tern::MapSpec map_spec_of(const SwarmWorld& world, const SwarmSettings& settings) {
+  const tern::Box& b = world.boundary;
+  const double beyond = world.horizon + 2.0 + kSlideRoom * world.cell;
+  const tern::Voxel dims{std::min(tern::kMaxDimension, even_voxels(b.upper.x - b.lower.x + 2.0 * beyond, world.cell)),
+                         std::min(tern::kMaxDimension, even_voxels(b.upper.y - b.lower.y + 2.0 * beyond, world.cell)),
+                         even_voxels(b.upper.z - b.lower.z + 2.0 * kBeside * world.cell, world.cell)};
+  const tern::Vec3 middle{0.5 * (b.lower.x + b.upper.x), 0.5 * (b.lower.y + b.upper.y), 0.5 * (b.lower.z + b.upper.z)};
+  const tern::Vec3 origin{middle.x - 0.5 * world.cell * dims.x, middle.y - 0.5 * world.cell * dims.y,
+                          middle.z - 0.5 * world.cell * dims.z};
+  tern::MapSpec spec = tern::map_spec(origin, world.cell, dims, world.body_radius);
+  spec.tracking_margin = settings.tracking_margin;
+  return spec;
+}
+
+/// The slabs around the boundary, which are walls.
+std::vector<tern::Box> walls_of(const SwarmWorld& world) {
+  constexpr double kFar = 1000.0;
+  const tern::Box& b = world.boundary;
+  return {{{-kFar, -kFar, -kFar}, {b.lower.x, kFar, kFar}}, {{b.upper.x, -kFar, -kFar}, {kFar, kFar, kFar}},
+          {{-kFar, -kFar, -kFar}, {kFar, b.lower.y, kFar}}, {{-kFar, b.upper.y, -kFar}, {kFar, kFar, kFar}},
+          {{-kFar, -kFar, -kFar}, {kFar, kFar, b.lower.z}}, {{-kFar, -kFar, b.upper.z}, {kFar, kFar, kFar}}};
+}
+
+[[noreturn]] void fail(const SwarmWorld& world, int vehicle, const std::string& what, Status status) {
+  throw std::runtime_error(world.name + ", vehicle " + std::to_string(vehicle) + ": " + what + ": " +
+                           tern::status_name(status));
+}
+
+}  // namespace
+
+SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& settings, int number,
+                           std::int64_t clock_offset)
+    : world_(world),
+      settings_(settings),
+      number_(number),
+      offset_(clock_offset),
+      memory_(new tern::Workspace),
+      planner_(memory_.get(), sizeof *memory_),
+      fleet_(new tern::Fleet),
+      tracks_(tern::kMaxFlightTracks),
+      pieces_(tern::kMaxTrackPieces) {
+  const tern::MapSpec mapped = map_spec_of(world, settings);
+  map_words_.resize(tern::map_words(mapped));
+  const Status bound = map_.bind(mapped, map_words_.data(), map_words_.size());
+  if (bound != Status::kOk) fail(world, number, "no map can be made of this world and cell", bound);
+  const SwarmTask& task = world.tasks[static_cast<std::size_t>(number)];
+  map_.assume_free(task.start, 1000.0);
+  for (const tern::Box& wall : walls_of(world)) map_.mark_box(wall);
+  for (const tern::Box& block : world.blocks) map_.mark_box(block);
+  spec_ = tern::flight_spec(world.limits);
+  spec_.tick = nanoseconds(1.0 / settings.tick_hz);
+  spec_.work_per_tick = settings.work_per_tick;
+  spec_.plan_work = 10 * settings.work_per_tick;
+  spec_.horizon = world.horizon;
+  spec_.near = 0.0;
+  spec_.stale_after = 0;
+  spec_.clearance = nanoseconds(settings.clearance > 0.0
+                                    ? settings.clearance
+                                    : 2.0 * settings.links.delay_max + 2.0 / settings.send_hz + 3.0 / settings.tick_hz);
+  flight_words_.resize(tern::flight_words(mapped.dims));
+  const Status begun =
+      flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), task.start, offset_);
+  if (begun != Status::kOk) fail(world, number, "the flight cannot begin", begun);
+  begin_fleet(offset_);
+}
+
+void SwarmVehicle::begin_fleet(std::int64_t time) {
+  tern::Trajectory flown{};
+  flight_.committed_plan(flown);
+  tern::FleetSpec spec;
+  spec.id = static_cast<std::uint16_t>(number_);
+  spec.incarnation = ++incarnation_;
+  spec.priority = world_.tasks[static_cast<std::size_t>(number_)].priority;
+  spec.radius = world_.body_radius + settings_.tracking_margin;
+  spec.clock_error = nanoseconds(settings_.clock_error);
+  spec.tick = spec_.tick;
+  spec.speed = 1.7320508 * world_.limits.v_max.x;
+  const Status begun = fleet_->begin(spec, flown, std::max(time, flown.begin));
+  if (begun != Status::kOk) fail(world_, number_, "the fleet cannot begin", begun);
+  for (int k = 0; k < static_cast<int>(world_.tasks.size()); ++k) {
+    if (k == number_) continue;
+    const Status added = fleet_->add(static_cast<std::uint16_t>(k), time);
+    if (added != Status::kOk) fail(world_, number_, "a member is refused", added);
+  }
+}
+
+/// Tells the flight of curves that are new, and of what is gone.
+void SwarmVehicle::take_traffic(std::int64_t time) {
+  std::int32_t count = 0;
+  fleet_->traffic(time, tracks_.data(), static_cast<std::int32_t>(tracks_.size()), pieces_.data(),
+                  static_cast<std::int32_t>(pieces_.size()), count);
+  std::vector<std::uint64_t> known;
+  for (std::int32_t k = 0; k < count; ++k) {
+    tern::Track& track = tracks_[static_cast<std::size_t>(k)];
+    // A member's second track is of the plan that it announced.
+    const bool is_second = k > 0 && tracks_[static_cast<std::size_t>(k) - 1].id == 2 * track.id;
+    track.id = 2 * track.id + (is_second ? 1 : 0);
+    known.push_back(track.id);
+    known.push_back(track.kind + std::uint64_t{1});
+  }
+  for (std::size_t k = 0; k < known_.size(); k += 2) {
+    bool stays = false;
+    for (std::size_t n = 0; n < known.size(); n += 2) stays = stays || known[n] == known_[k];
+    if (!stays) flight_.forget_track(static_cast<std::uint32_t>(known_[k]));
+  }
+  for (std::size_t n = 0; n < known.size(); n += 2) {
+    bool is_known = false;
+    for (std::size_t k = 0; k < known_.size(); k += 2) {
+      is_known = is_known || (known_[k] == known[n] && known_[k + 1] == known[n + 1]);
+    }
+    if (is_known) continue;
+    if (flight_.update_track(tracks_[n / 2]) != Status::kOk) known[n + 1] = 0;  // told again in the next tick
+  }
+  known_ = known;
+}
+
+/// Asks the fleet about the plan that the flight proposes.
+void SwarmVehicle::announce(std::int64_t time) {
+  tern::Trajectory plan{};
+  std::int64_t takeover = 0;
+  const std::uint32_t question = flight_.proposal(plan, takeover);
+  if (question == asked_ || answered_) return;
+  if (asked_ != 0) fleet_->withdraw(time);
+  asked_ = question;
+  if (question == 0) return;
+  if (fleet_->announce(plan, takeover, time) != Status::kOk) {
+    flight_.answer(question, false);
+    asked_ = 0;
+  }
+}
+
+void SwarmVehicle::hear_answer(std::int64_t time) {
+  if (asked_ == 0 || answered_) return;
+  const tern::FleetReport fleet = fleet_->report();
+  if (fleet.announcement == tern::Announcement::kDropped) {
+    flight_.answer(asked_, false);
+    asked_ = 0;
+  } else if (fleet.cleared) {
+    answered_ = flight_.answer(asked_, true) == Status::kOk;
+    if (!answered_) fleet_->withdraw(time);
+    if (!answered_) asked_ = 0;
+  }
+}
+
+void SwarmVehicle::send(std::int64_t now, Links& links) {
+  if (now < next_round_) return;
+  next_round_ = now + nanoseconds(1.0 / settings_.send_hz);
+  Packet packet(static_cast<std::size_t>(settings_.packet_bytes));
+  for (int k = 0; k < 1000; ++k) {
+    const std::int32_t size = fleet_->write(packet.data(), settings_.packet_bytes);
+    if (size <= 0) return;
+    links.send(number_, Packet(packet.begin(), packet.begin() + size), now);
+  }
+}
+
+SwarmTick SwarmVehicle::tick(std::int64_t now, Links& links) {
+  const std::int64_t time = now + offset_;
+  SwarmTick did;
+  for (const Packet& packet : links.receive(number_, now)) {
+    fleet_->receive(packet.data(), static_cast<std::int32_t>(packet.size()), time);
+  }
+  tern::Work work{settings_.fleet_work};
+  fleet_->advance(time, work);
+  did.fleet_units = settings_.fleet_work - std::min(settings_.fleet_work, work.units());
+  take_traffic(time);
+  hear_answer(time);
+  const SwarmTask& task = world_.tasks[static_cast<std::size_t>(number_)];
+  if (!has_mission_ && 1e-9 * static_cast<double>(now) >= task.depart) {
+    has_mission_ = true;
+    flight_.set_mission(task.mission.data(), static_cast<std::int32_t>(task.mission.size()), tern::ViaPolicy::kEnd);
+  }
+  const std::uint32_t committed = report_.committed;
+  const std::uint32_t ended = report_.failed + report_.dropped;
+  flight_.tick(time, report_);
+  did.committed = report_.committed > committed;
+  did.unasked = did.committed && !answered_;
+  if (answered_ && !did.committed && report_.failed + report_.dropped > ended) fleet_->withdraw(time);
+  if (answered_ && (did.committed || report_.failed + report_.dropped > ended)) {
+    answered_ = false;
+    asked_ = 0;
+  }
+  if (did.unasked) begin_fleet(time);
+  announce(time);
+  send(now, links);
+  return did;
+}
+
+}  // namespace tern_host

@@ -1,0 +1,84 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One vehicle of a swarm: its map, its planner, its flight and its part in the fleet, on a clock of its own.
+#ifndef TERN_HOST_SWARM_SWARM_VEHICLE_HPP
+#define TERN_HOST_SWARM_SWARM_VEHICLE_HPP
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/swarm/links.hpp"
+#include "host/swarm/swarm_world.hpp"
+#include "tern/fleet.hpp"
+#include "tern/flight.hpp"
+
+namespace tern_host {
+
+struct SwarmSettings {
+  LinkSettings links;
+  std::uint64_t seed = 1;  ///< of links and clocks
+  double tick_hz = 50.0;
+  double send_hz = 20.0;     ///< rounds of packets that each vehicle sends
+  int packet_bytes = 1400;   ///< the largest packet
+  double clock_error = 0.0;  ///< s: clocks are off by up to half of it
+  double clearance = 0.0;    ///< s that a plan waits for answers; 0: from the delays of the links
+  double tracking_margin = 0.02;
+  std::uint32_t work_per_tick = 16000;
+  std::uint32_t fleet_work = 500;  ///< units a tick
+};
+
+/// What a vehicle's tick did.
+struct SwarmTick {
+  bool committed = false;
+  bool unasked = false;           ///< it committed a plan that was not cleared: a brake
+  std::uint32_t fleet_units = 0;  ///< that Fleet::advance() took
+};
+
+class SwarmVehicle {
+ public:
+  SwarmVehicle(const SwarmWorld& world, const SwarmSettings& settings, int number, std::int64_t clock_offset);
+
+  /// Takes packets, ticks, and sends; `now` is true time, ns.
+  SwarmTick tick(std::int64_t now, Links& links);
+  /// Where it is at a time that is not before its last tick.
+  tern::Sample at(std::int64_t now) const { return flight_.command(now + offset_).sample; }
+  bool has_arrived() const { return report_.reason == tern::FlightReason::kArrived; }
+  bool rests() const { return report_.mode == tern::FlightMode::kRest; }
+  const tern::FlightReport& report() const { return report_; }
+  tern::FleetReport fleet_report() const { return fleet_->report(); }
+  std::uint32_t asked() const { return asked_; }
+
+ private:
+  void begin_fleet(std::int64_t time);
+  void take_traffic(std::int64_t time);
+  void announce(std::int64_t time);
+  void hear_answer(std::int64_t time);
+  void send(std::int64_t now, Links& links);
+
+  const SwarmWorld& world_;
+  const SwarmSettings& settings_;
+  int number_;
+  std::int64_t offset_;
+  std::unique_ptr<tern::Workspace> memory_;
+  tern::Planner planner_;
+  std::vector<std::uint64_t> map_words_, flight_words_;
+  tern::RollingMap map_;
+  tern::FlightSpec spec_{};
+  tern::Flight flight_;
+  std::unique_ptr<tern::Fleet> fleet_;
+  tern::FlightReport report_{};
+  bool has_mission_ = false;
+  std::uint32_t incarnation_ = 0;
+  std::uint32_t asked_ = 0;  ///< the flight's question that the fleet was asked; 0: none
+  bool answered_ = false;    ///< the flight was told that it may fly
+  std::int64_t next_round_ = 0;
+  std::vector<tern::Track> tracks_;
+  std::vector<tern::TrackPiece> pieces_;
+  std::vector<std::uint64_t> known_;  ///< of each track that the flight has: its id, and a hash of its curve's end
+};
+
+}  // namespace tern_host
+
+#endif

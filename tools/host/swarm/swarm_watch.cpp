@@ -1,0 +1,88 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/swarm/swarm_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tern_host {
+namespace {
+
+/// What is nearer than a body's size by less than this is not counted: proofs round.
+constexpr double kTouch = 1e-6;
+/// Time is not halved below this, ns.
+constexpr std::int64_t kShortest = 1000;
+
+double distance_between(const tern::Vec3& a, const tern::Vec3& b) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+/// Calls `far(t)`, which says how far a distance at an instant is above what is needed, until no instant between the
+/// two can be below 0 at this closing speed, or one is. Halves, at most 40 deep.
+template <typename Far>
+bool stays_clear(Far far, double closing, std::int64_t from, std::int64_t until, int depth = 0) {
+  const std::int64_t middle = from + (until - from) / 2;
+  const double room = far(middle);
+  if (room < -kTouch) return false;
+  if (room > closing * 0.5e-9 * static_cast<double>(until - from)) return true;
+  if (until - from < kShortest || depth > 40) return true;
+  return stays_clear(far, closing, from, middle, depth + 1) && stays_clear(far, closing, middle, until, depth + 1);
+}
+
+}  // namespace
+
+SwarmWatch::SwarmWatch(int vehicles, double body_radius, double top_speed, Position position, Clearance clearance)
+    : vehicles_(vehicles),
+      body_radius_(body_radius),
+      top_speed_(top_speed),
+      position_(std::move(position)),
+      clearance_(std::move(clearance)) {}
+
+void SwarmWatch::note(std::int64_t time, int i, int j, double distance, bool touches) {
+  if (!touches) {
+    touching_.erase({i, j});
+  } else if (touching_.insert({i, j}).second) {
+    contacts_.push_back({time, i, j, distance});
+  }
+}
+
+void SwarmWatch::look_at_pair(int i, int j, std::int64_t from, std::int64_t until) {
+  std::int64_t at = from;
+  double nearest = 1e9;
+  const auto far = [&](std::int64_t t) {
+    const double d = distance_between(position_(i, t), position_(j, t));
+    if (d < nearest) {
+      nearest = d;
+      at = t;
+    }
+    return d - 2.0 * body_radius_;
+  };
+  const bool clear = stays_clear(far, 2.0 * top_speed_, from, until);
+  least_distance_ = std::min(least_distance_, nearest);
+  note(at, i, j, nearest, !clear);
+}
+
+void SwarmWatch::look_at_body(int i, std::int64_t from, std::int64_t until) {
+  std::int64_t at = from;
+  double nearest = 1e9;
+  const auto far = [&](std::int64_t t) {
+    const double d = clearance_(position_(i, t));
+    if (d < nearest) {
+      nearest = d;
+      at = t;
+    }
+    return d - body_radius_;
+  };
+  const bool clear = stays_clear(far, top_speed_, from, until);
+  least_clearance_ = std::min(least_clearance_, nearest);
+  note(at, i, -1, nearest, !clear);
+}
+
+void SwarmWatch::look(std::int64_t from, std::int64_t until) {
+  for (int i = 0; i < vehicles_; ++i) {
+    if (clearance_) look_at_body(i, from, until);
+    for (int j = 0; j < i; ++j) look_at_pair(i, j, from, until);
+  }
+}
+
+}  // namespace tern_host
