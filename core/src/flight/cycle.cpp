@@ -50,7 +50,7 @@ void Lead::shorten(const FlightFacts& flight, std::int64_t takeover) noexcept {
 void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
                   std::int64_t takeover) noexcept {
   hemmed_in = is_hemmed_in(flight, takeover);
-  remainder_is_free = false;
+  remainder_is_free = steps_aside = false;
   const GridSpec& window = flight.map.route().spec();
   const int attempt = (lookouts.leads() ? lookouts.failed_cycles : search.idle_cycles) % kAttempts;
   leads_out = hemmed_in && search.idle_cycles % 2 == 1;

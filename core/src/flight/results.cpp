@@ -96,7 +96,8 @@ Progress FlightState::end_planner() noexcept {
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(facts.itinerary)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
-  if (is_by_track(found.status)) ++cycle.met_things;
+  if (is_by_track(found.status) || cycle.steps_aside) ++cycle.met_things;
+  if (cycle.steps_aside) return choose_draft(false);
   if (note_fault(found)) return give_up();
   const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, found, draft.takeover)
                                                  : cycle.next_after_plan(facts, found, draft.takeover);
@@ -223,7 +224,8 @@ void FlightState::give_up() noexcept {
   cycle.leave();
   evasion.leave();
   // What moves will be elsewhere soon: there is no reason to look around, or to give up.
-  if (!facts.rests() || facts.itinerary.parked || block.by == BlockedBy::kTrack) return;
+  const bool is_by_thing = block.by == BlockedBy::kTrack || cycle.steps_aside;
+  if (!facts.rests() || facts.itinerary.parked || is_by_thing) return;
   lookouts.note_failure(facts);
   if (!search.count_idle()) return;
   if (report.plan == Status::kGoalFenced && cycle.aim.at_target && !cycle.hemmed_in) {
