@@ -40,8 +40,8 @@ Thing knotted_box(int number, Noise& random) {
 /// 75 m through boxes on knots, and pillars: 35 % of all.
 std::string box_corridor(int things, Noise& random) {
   const int pillars = static_cast<int>(0.35 * things);
-  std::string text = record_line("boundary", {-0.25, -0.25, -0.25, 79.25, 10.25, 6.25}) +
-                     "body_radius 0.15\ndetection_latency 0\n";
+  std::string text =
+      record_line("boundary", {-0.25, -0.25, -0.25, 79.25, 10.25, 6.25}) + "body_radius 0.15\ndetection_latency 0\n";
   for (int k = 0; k < pillars; ++k) {
     const double x = random.within(5.0, 72.0);
     text += record_line("cylinder", {x, random.within(0.0, 10.0), -0.25, 6.25, 0.2});
