@@ -202,11 +202,33 @@ TEST_F(FleetPair, MembersThatGo) {
   EXPECT_EQ(fleet(0).neighbours(), 0);
   ASSERT_EQ(announce(0, {0, 5, 1}, 2 * kSecond), Status::kOk);
   EXPECT_TRUE(fleet(0).report().cleared) << "alone";
-  EXPECT_EQ(fleet(0).add(2, now_), Status::kOk);
-  expect_dropped(0, FleetBlock::kRestarted, 2);
+  EXPECT_EQ(fleet(0).add(3, now_), Status::kOk);
+  expect_dropped(0, FleetBlock::kRestarted, 3);
 }
 
 // 2 will fly 8 m in 4 s; half a second after its beginning, the wait of the clock's error is over and left out.
+// What it agreed to with a member that was removed is forgotten, and the member may remember it.
+TEST_F(FleetPair, WhoWasRemovedMeetsAFleetThatBeginsAnew) {
+  meet();
+  EXPECT_EQ(fleet(0).remove(2, now_), Status::kOk);
+  EXPECT_EQ(fleet(0).add(2, now_), Status::kInvalidArgument);
+  EXPECT_EQ(fleet(0).add(3, now_), Status::kOk);
+  tern::FleetSpec again = spec_of(1);
+  again.incarnation = 2;
+  begin(0, again);
+  EXPECT_EQ(fleet(0).neighbours(), 1);
+}
+
+TEST_F(FleetPair, APlanOfItsOwnIsNoBeginning) {
+  tern::FleetSpec again = spec_of(1);
+  again.incarnation = 2;
+  EXPECT_EQ(fleet(0).begin(again, *fleet(0).flown(), now_), Status::kInvalidArgument);
+  EXPECT_EQ(fleet(0).neighbours(), 1);
+  const tern::Trajectory copy = *fleet(0).flown();
+  EXPECT_EQ(fleet(0).begin(again, copy, now_), Status::kOk);
+  EXPECT_EQ(fleet(0).neighbours(), 0);
+}
+
 TEST_F(FleetPair, TrafficIsWhatMayBeFlown) {
   tern::FleetSpec vague = spec_of(1);
   vague.incarnation = 2;

@@ -122,6 +122,21 @@ TEST(FlightClearance, WhatIsFlownWasCleared) {
   }
 }
 
+// Neither a question nor a plan that was cleared outlives its goal. Who cleared it hears of that.
+TEST(FlightClearance, ANewGoalTakesTheQuestionBack) {
+  AskingRoom room;
+  const std::uint32_t first = room.wait_for_question();
+  room.flight.set_goal({0.125, 12.125, 1.125});
+  EXPECT_EQ(room.flight.answer(first, true), Status::kInvalidArgument);
+  EXPECT_EQ(room.report.dropped, 0u);
+  const std::uint32_t second = room.wait_for_question();
+  EXPECT_EQ(room.flight.answer(second, true), Status::kOk);
+  room.flight.stop();
+  room.tick();
+  EXPECT_EQ(room.report.dropped, 1u);
+  EXPECT_EQ(room.report.committed, 0u);
+}
+
 // What was marked while the plan waited is in the way: it was cleared, and is not flown.
 TEST(FlightClearance, AClearedPlanIsProvenOnTheMapAsItIs) {
   AskingRoom room;

@@ -18,7 +18,9 @@ using namespace tern_host;
 
 SwarmResult fly(const char* name, const SwarmSettings& settings) {
   const SwarmWorld world = swarm_world(name);
-  return fly_swarm(world, settings);
+  const SwarmResult result = fly_swarm(world, settings);
+  EXPECT_EQ(result.disagreed, 0u);
+  return result;
 }
 
 TEST(Swarm, SwapsPlaces) {

@@ -80,7 +80,10 @@ int fly(SwarmOptions& options) {
     if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K");
     print(world, result);
     std::fflush(stdout);
-    all = all && result.arrived() == static_cast<int>(world.tasks.size()) && result.contacts.empty();
+    if (result.disagreed > 0)
+      std::printf("  %u ticks at which a vehicle did not fly what its fleet said\n", result.disagreed);
+    all = all && result.disagreed == 0 && result.arrived() == static_cast<int>(world.tasks.size()) &&
+          result.contacts.empty();
     if (!options.json.empty()) json += tern_host::swarm_json(world, settings, result);
   }
   if (!options.json.empty()) tern_host::write_files({{options.json, json}});

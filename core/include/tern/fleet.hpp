@@ -104,10 +104,11 @@ class Fleet {
  public:
   /// Begins, or begins anew: with nobody else in the fleet, flying `flown`, which ends at rest and stays there. After a
   /// restart, that is what was flown before, or a rest where that ends. kOk; kInvalidArgument for a spec out of its
-  /// ranges, or for a plan that begins after `now`, ends in motion, or cannot be sent (docs/fleet.md).
+  /// ranges, or for a plan that begins after `now`, ends in motion, cannot be sent (docs/fleet.md), or lies in this
+  /// Fleet, as that of flown() does: copy it first.
   Status begin(const FleetSpec& spec, const Trajectory& flown, int64_t now) noexcept;
   /// Another vehicle becomes a member. Until each knows of the other, no plan is taken over. kOk, also if it is one
-  /// already; kNeighboursFull; kInvalidArgument for the own id.
+  /// already; kNeighboursFull; kInvalidArgument for the own id, or for one that was removed since begin().
   Status add(uint16_t id, int64_t now) noexcept;
   /// A vehicle is no member any more, because it can be nowhere near, or is known as a track or an obstacle. kOk, or
   /// kInvalidArgument for one that is not a member.

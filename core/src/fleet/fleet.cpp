@@ -33,6 +33,13 @@ std::int32_t find(const FleetMemory& fleet, std::uint16_t id) {
   return p;
 }
 
+/// True if the vehicle was a member and was removed, or if more were removed than are remembered.
+bool was_removed(const FleetMemory& fleet, std::uint16_t id) {
+  bool was = fleet.removed_count > kMaxNeighbours;
+  for (std::int32_t k = 0; k < fleet.removed_count && !was; ++k) was = fleet.removed[k] == id;
+  return was;
+}
+
 }  // namespace
 
 void touch(FleetMemory& fleet, std::int64_t now) noexcept {
@@ -51,6 +58,10 @@ void drop(FleetMemory& fleet, FleetBlock why, std::uint16_t by, std::int64_t now
 Status Fleet::begin(const FleetSpec& spec, const Trajectory& flown, std::int64_t now) noexcept {
   static_assert(sizeof(FleetMemory) <= sizeof(memory_), "raise kFleetBytes");
   static_assert(kMaxPlanBytes <= 65535 && kMaxStateBytes <= 65535, "sizes of messages have 16 bits");
+  // A plan that lies in this fleet's own memory would be gone before it is read.
+  const auto at = reinterpret_cast<std::uintptr_t>(&flown);
+  const auto own = reinterpret_cast<std::uintptr_t>(memory_);
+  if (at >= own && at < own + sizeof(memory_)) return Status::kInvalidArgument;
   if (!is_sound(spec) || flown.begin > now || !is_sendable(flown, flown.begin)) return Status::kInvalidArgument;
   FleetMemory& fleet = *new (memory_) FleetMemory{};
   set(fleet.own[0], flown, {spec.id, spec.incarnation, 1, flown.begin});
@@ -65,6 +76,7 @@ Status Fleet::add(std::uint16_t id, std::int64_t now) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr || id == fleet->spec.id) return Status::kInvalidArgument;
   if (find(*fleet, id) < fleet->peer_count) return Status::kOk;
+  if (was_removed(*fleet, id)) return Status::kInvalidArgument;
   if (is_full(fleet->peer_count == kMaxNeighbours)) return Status::kNeighboursFull;
   forget_peer(fleet->peers[fleet->peer_count++], id);
   is_pending(*fleet) ? drop(*fleet, FleetBlock::kRestarted, id, now) : touch(*fleet, now);
@@ -76,6 +88,8 @@ Status Fleet::remove(std::uint16_t id, std::int64_t now) noexcept {
   if (fleet == nullptr) return Status::kInvalidArgument;
   const std::int32_t p = find(*fleet, id);
   if (p == fleet->peer_count) return Status::kInvalidArgument;
+  if (fleet->removed_count < kMaxNeighbours) fleet->removed[fleet->removed_count] = id;
+  ++fleet->removed_count;
   const std::int32_t last = --fleet->peer_count;
   if (p != last) fleet->peers[p] = fleet->peers[last];
   restart_jobs(*fleet);

@@ -57,6 +57,8 @@ struct FleetMemory {
   FleetBlock blocked;
   std::uint16_t blocked_by;
   OwnPlan own[2];
+  std::int32_t removed_count;  ///< members that were removed
+  std::uint16_t removed[kMaxNeighbours];
   std::int32_t peer_count;
   Peer peers[kMaxNeighbours];
   ProofJob job;

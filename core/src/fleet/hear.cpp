@@ -33,7 +33,8 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   const bool is_state = read_state(peer.arriving.bytes, peer.arriving.size, fleet.spec.id, state, answer);
   peer.arriving.clear();
   if (!is_state || state.id != peer.id) return Heard::kDamaged;
-  if (state.stamp > now && state.stamp - now > fleet.spec.clock_error) return Heard::kClockAhead;
+  const auto ahead = static_cast<std::uint64_t>(state.stamp) - static_cast<std::uint64_t>(now);
+  if (state.stamp > now && ahead > static_cast<std::uint64_t>(fleet.spec.clock_error)) return Heard::kClockAhead;
   if (!is_newer(state, peer.state)) return Heard::kOld;
   const bool has_begun = state.incarnation != peer.state.incarnation;
   if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);

@@ -20,6 +20,7 @@ Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) n
   if (state_ == nullptr) return Status::kInvalidArgument;
   const Status status = check_mission(points, count, policy);
   if (status != Status::kOk) return status;
+  state_->leave_question();
   state_->facts.itinerary.begin(points, count, policy);
   state_->facts.landing.is_asked = false;
   state_->cycle.aim.expect(points[0].position);
@@ -46,6 +47,7 @@ Status Flight::stop() noexcept {
   state_->search.end_look();
   state_->lookouts.try_anew();
   state_->evasion.ask_for_stop();
+  state_->leave_question();
   state_->cycle.leave();
   return Status::kOk;
 }
@@ -81,7 +83,9 @@ Status Flight::set_clock(int64_t t) noexcept {
 Status Flight::note_position(const Vec3& position, int64_t t) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   if (!finite(position)) return Status::kNonFiniteInput;
-  if (state_->facts.note_position(position, t)) state_->cycle.leave();
+  if (!state_->facts.note_position(position, t)) return Status::kOk;
+  state_->leave_question();
+  state_->cycle.leave();
   return Status::kOk;
 }
 

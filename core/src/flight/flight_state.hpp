@@ -83,6 +83,7 @@ class FlightState {
   Progress or_fail(Progress progress) noexcept;
   bool commit() noexcept;
   Status answer(std::uint32_t number, bool may_fly) noexcept;
+  void leave_question() noexcept;
   void enter_draft() noexcept;
   void fail() noexcept;
   void give_up() noexcept;

@@ -193,6 +193,13 @@ Status FlightState::answer(std::uint32_t number, bool may_fly) noexcept {
   return Status::kOk;
 }
 
+/// Takes the question back. Who answered that the plan may be flown hears that it is not.
+void FlightState::leave_question() noexcept {
+  const bool is_cleared = cycle.job == Job::kCleared || cycle.job == Job::kRenew;
+  if (is_cleared) ++report.dropped;
+  if (is_cleared || cycle.job == Job::kAnswer) cycle.leave();
+}
+
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle
 /// flies back and forth without end.
 void FlightState::enter_draft() noexcept {

@@ -82,10 +82,12 @@ Status FlightState::update_track(const Track& measured) noexcept {
   CommittedPlans& plans = facts.plans;
   const Status known = facts.tracks.update(taken, facts.time);
   if (known != Status::kOk) return known;
-  bool has_news = plans.in_flight.tubes.take_news(taken, facts.tracks);
-  if (plans.has_waiting) has_news = plans.waiting.tubes.take_news(taken, facts.tracks) || has_news;
   // Who clears plans keeps curves clear of them.
-  if (has_news && !(taken.piece_count > 0 && facts.spec.clearance > 0)) watch.prove_all();
+  const bool is_cleared = taken.piece_count > 0 && facts.spec.clearance > 0;
+  bool has_news = !is_cleared && plans.in_flight.tubes.take_news(taken, facts.tracks);
+  const bool waits = !is_cleared && plans.has_waiting;
+  if (waits) has_news = plans.waiting.tubes.take_news(taken, facts.tracks) || has_news;
+  if (has_news) watch.prove_all();
   // What rested in the way may leave.
   const bool is_stuck = facts.itinerary.parked && facts.itinerary.reason == FlightReason::kNoProgress;
   if (is_stuck && taken.piece_count > 0) try_anew();
@@ -124,6 +126,7 @@ void FlightState::begin_evasion() noexcept {
     watch.forget_before();
   }
   if (!evasion.begin(facts, watch, draft)) return;
+  leave_question();
   cycle.leave();
   tick_work.forgive();
   go_on_evading(evasion.try_brakes(facts, watch, draft, tick_work));

@@ -129,8 +129,8 @@ bool TrackTable::take_news(const Track& measured, const TrackTable& latest) noex
 bool TrackTable::take_news(const TrackTable& latest, bool curves_count) noexcept {
   bool has_news = false;
   for (std::int32_t k = 0; k < latest.count; ++k) {
-    const bool is_news = take_news(latest.tracks[k], latest);
-    has_news = has_news || (is_news && (curves_count || latest.tracks[k].piece_count == 0));
+    if (!curves_count && latest.tracks[k].piece_count > 0) continue;
+    has_news = take_news(latest.tracks[k], latest) || has_news;
   }
   return has_news;
 }

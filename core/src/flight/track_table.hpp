@@ -34,7 +34,7 @@ struct TrackTable {
   /// Takes the measurement if its thing is not here yet, or is not where its tube says. False if it tells nothing new.
   /// Without room, takes all of `latest`, which has the measurement.
   bool take_news(const Track& measured, const TrackTable& latest) noexcept;
-  /// Takes all news of a table. False if there are none, or none but curves if `curves_count` is false.
+  /// Takes all news of a table, those of curves only if `curves_count`. False if there are none.
   bool take_news(const TrackTable& latest, bool curves_count = true) noexcept;
   /// Becomes what is expected of the things of a table from `now` on.
   void expect(const TrackTable& latest, std::int64_t now) noexcept;

@@ -63,6 +63,7 @@ class Swarm {
     const SwarmTick did = vehicle.tick(now_, links_);
     member.commits += did.committed ? 1 : 0;
     member.unasked += did.unasked ? 1 : 0;
+    result_.disagreed += did.agrees ? 0 : 1;
     result_.most_fleet_units = std::max(result_.most_fleet_units, did.fleet_units);
     const double now = 1e-9 * static_cast<double>(now_);
     const double departed = world_.tasks[static_cast<std::size_t>(k)].depart;

@@ -32,6 +32,7 @@ struct SwarmResult {
   double time = 0.0;                                   ///< s that were simulated
   double computed = 0.0;                               ///< s of processor time
   std::uint64_t packets = 0, lost = 0, bytes = 0;
+  std::uint32_t disagreed = 0;         ///< ticks at which a vehicle did not fly what its fleet said
   std::uint32_t most_fleet_units = 0;  ///< of a tick
   std::uint64_t hash = 0;              ///< of all positions at all ticks
   /// Positions of all members, one row each `film_step` seconds.

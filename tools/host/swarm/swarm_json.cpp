@@ -64,6 +64,7 @@ std::string swarm_json(const SwarmWorld& world, const SwarmSettings& settings, c
                  {"packets", result.packets},
                  {"lost", result.lost},
                  {"bytes", result.bytes},
+                 {"disagreed", result.disagreed},
                  {"fleet_units", result.most_fleet_units},
                  {"hash", hash},
                  {"members", members_json(result)},

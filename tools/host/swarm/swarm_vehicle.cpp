@@ -20,6 +20,9 @@ constexpr int kBeside = 2;
 /// The window does not slide if it reaches so far beyond the world, in voxels, besides the horizon.
 constexpr int kSlideRoom = 40;
 
+/// Metres between what a vehicle flies and what its fleet says, at most: both are the same plan.
+constexpr double kAgree = 1e-9;
+
 std::int64_t nanoseconds(double seconds) {
   return std::llround(1e9 * seconds);
 }
@@ -97,6 +100,9 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
 void SwarmVehicle::begin_fleet(std::int64_t time) {
   tern::Trajectory flown{};
   flight_.committed_plan(flown);
+  if (flown.begin > time) return;  // until then, what the fleet says is true
+  begins_anew_ = pending_ = false;
+  forget_question();
   tern::FleetSpec spec;
   spec.id = static_cast<std::uint16_t>(number_);
   spec.incarnation = ++incarnation_;
@@ -105,13 +111,22 @@ void SwarmVehicle::begin_fleet(std::int64_t time) {
   spec.clock_error = nanoseconds(settings_.clock_error);
   spec.tick = spec_.tick;
   spec.speed = 1.7320508 * world_.limits.v_max.x;
-  const Status begun = fleet_->begin(spec, flown, std::max(time, flown.begin));
+  const Status begun = fleet_->begin(spec, flown, time);
   if (begun != Status::kOk) fail(world_, number_, "the fleet cannot begin", begun);
   for (int k = 0; k < static_cast<int>(world_.tasks.size()); ++k) {
     if (k == number_) continue;
     const Status added = fleet_->add(static_cast<std::uint16_t>(k), time);
     if (added != Status::kOk) fail(world_, number_, "a member is refused", added);
   }
+}
+
+/// A member numbers its plans anew in each.
+std::uint32_t SwarmVehicle::incarnation_of(std::uint32_t id) const {
+  for (std::int32_t k = 0; k < fleet_->neighbours(); ++k) {
+    const tern::Neighbour other = fleet_->neighbour(k);
+    if (other.id == id) return other.incarnation;
+  }
+  return 0;
 }
 
 /// Tells the flight of curves that are new, and of what is gone.
@@ -126,7 +141,7 @@ void SwarmVehicle::take_traffic(std::int64_t time) {
     const bool is_second = k > 0 && tracks_[static_cast<std::size_t>(k) - 1].id == 2 * track.id;
     track.id = 2 * track.id + (is_second ? 1 : 0);
     known.push_back(track.id);
-    known.push_back(track.kind + std::uint64_t{1});
+    known.push_back((std::uint64_t{incarnation_of(track.id / 2)} << 32) + track.kind + 1);
   }
   for (std::size_t k = 0; k < known_.size(); k += 2) {
     bool stays = false;
@@ -139,6 +154,7 @@ void SwarmVehicle::take_traffic(std::int64_t time) {
       is_known = is_known || (known_[k] == known[n] && known_[k + 1] == known[n + 1]);
     }
     if (is_known) continue;
+    flight_.forget_track(static_cast<std::uint32_t>(known[n]));
     if (flight_.update_track(tracks_[n / 2]) != Status::kOk) known[n + 1] = 0;  // told again in the next tick
   }
   known_ = known;
@@ -149,10 +165,12 @@ void SwarmVehicle::announce(std::int64_t time) {
   tern::Trajectory plan{};
   std::int64_t takeover = 0;
   const std::uint32_t question = flight_.proposal(plan, takeover);
-  if (question == asked_ || answered_) return;
+  if (question == asked_ || answered_ || pending_ || begins_anew_) return;
   if (asked_ != 0) fleet_->withdraw(time);
   asked_ = question;
   if (question == 0) return;
+  proposed_ = plan;
+  takeover_ = takeover;
   if (fleet_->announce(plan, takeover, time) != Status::kOk) {
     flight_.answer(question, false);
     asked_ = 0;
@@ -183,15 +201,72 @@ void SwarmVehicle::send(std::int64_t now, Links& links) {
   }
 }
 
+/// The flight follows the plan that the fleet was asked about.
+bool SwarmVehicle::follows_proposed() const {
+  tern::Trajectory plan{};
+  flight_.committed_plan(plan);
+  return plan.begin == proposed_.begin && plan.count == proposed_.count &&
+         std::memcmp(plan.segments, proposed_.segments,
+                     static_cast<std::size_t>(plan.count) * sizeof plan.segments[0]) == 0;
+}
+
+bool SwarmVehicle::agrees(std::int64_t time) const {
+  if (begins_anew_) return true;
+  const tern::Trajectory& told = *fleet_->flown();
+  const tern::Vec3 said = evaluate(told, time_on(told, time)).position;
+  const tern::Vec3 flown = flight_.command(time).sample.position;
+  return std::hypot(said.x - flown.x, said.y - flown.y, said.z - flown.z) < kAgree;
+}
+
+void SwarmVehicle::forget_question() {
+  asked_ = 0;
+  answered_ = false;
+}
+
+/// What the fleet did with the plan that was asked about. A flight commits no plan from its takeover on, so the fleet
+/// takes none over that is not committed by then.
+void SwarmVehicle::advance_fleet(std::int64_t time, SwarmTick& did) {
+  if (asked_ != 0 && time >= takeover_) fleet_->withdraw(time);
+  if (pending_ && !follows_proposed()) {  // a threat took it back
+    fleet_->withdraw(time);
+    pending_ = false;
+  }
+  tern::Work work{settings_.fleet_work};
+  fleet_->advance(time, work);
+  did.fleet_units = settings_.fleet_work - std::min(settings_.fleet_work, work.units());
+  if (!pending_) return;
+  const tern::Announcement now = fleet_->report().announcement;
+  begins_anew_ = now == tern::Announcement::kDropped || now == tern::Announcement::kNone;
+  pending_ = now != tern::Announcement::kTaken && !begins_anew_;
+}
+
+/// Ticks the flight, and tells the fleet what it did.
+void SwarmVehicle::advance_flight(std::int64_t time, SwarmTick& did) {
+  const std::uint32_t committed = report_.committed;
+  const std::uint32_t ended = report_.failed + report_.dropped;
+  flight_.tick(time, report_);
+  did.committed = report_.committed > committed;
+  const bool is_ours = did.committed && answered_ && follows_proposed();
+  did.unasked = did.committed && !is_ours;
+  if (is_ours) {
+    pending_ = true;
+    forget_question();
+  } else if (did.unasked || (answered_ && report_.failed + report_.dropped > ended)) {
+    fleet_->withdraw(time);
+    forget_question();
+    pending_ = false;
+  }
+  begins_anew_ = begins_anew_ || did.unasked;
+  if (begins_anew_) begin_fleet(time);
+}
+
 SwarmTick SwarmVehicle::tick(std::int64_t now, Links& links) {
   const std::int64_t time = now + offset_;
   SwarmTick did;
   for (const Packet& packet : links.receive(number_, now)) {
     fleet_->receive(packet.data(), static_cast<std::int32_t>(packet.size()), time);
   }
-  tern::Work work{settings_.fleet_work};
-  fleet_->advance(time, work);
-  did.fleet_units = settings_.fleet_work - std::min(settings_.fleet_work, work.units());
+  advance_fleet(time, did);
   take_traffic(time);
   hear_answer(time);
   const SwarmTask& task = world_.tasks[static_cast<std::size_t>(number_)];
@@ -199,17 +274,8 @@ SwarmTick SwarmVehicle::tick(std::int64_t now, Links& links) {
     has_mission_ = true;
     flight_.set_mission(task.mission.data(), static_cast<std::int32_t>(task.mission.size()), tern::ViaPolicy::kEnd);
   }
-  const std::uint32_t committed = report_.committed;
-  const std::uint32_t ended = report_.failed + report_.dropped;
-  flight_.tick(time, report_);
-  did.committed = report_.committed > committed;
-  did.unasked = did.committed && !answered_;
-  if (answered_ && !did.committed && report_.failed + report_.dropped > ended) fleet_->withdraw(time);
-  if (answered_ && (did.committed || report_.failed + report_.dropped > ended)) {
-    answered_ = false;
-    asked_ = 0;
-  }
-  if (did.unasked) begin_fleet(time);
+  advance_flight(time, did);
+  did.agrees = agrees(time);
   announce(time);
   send(now, links);
   return did;

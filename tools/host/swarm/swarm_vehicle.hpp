@@ -33,6 +33,7 @@ struct SwarmSettings {
 struct SwarmTick {
   bool committed = false;
   bool unasked = false;           ///< it committed a plan that was not cleared: a brake
+  bool agrees = true;             ///< it flies what the fleet says that it flies, but for a brake without agreement
   std::uint32_t fleet_units = 0;  ///< that Fleet::advance() took
 };
 
@@ -52,7 +53,13 @@ class SwarmVehicle {
 
  private:
   void begin_fleet(std::int64_t time);
+  std::uint32_t incarnation_of(std::uint32_t id) const;
   void take_traffic(std::int64_t time);
+  bool follows_proposed() const;
+  void forget_question();
+  bool agrees(std::int64_t time) const;
+  void advance_fleet(std::int64_t time, SwarmTick& did);
+  void advance_flight(std::int64_t time, SwarmTick& did);
   void announce(std::int64_t time);
   void hear_answer(std::int64_t time);
   void send(std::int64_t now, Links& links);
@@ -71,12 +78,16 @@ class SwarmVehicle {
   tern::FlightReport report_{};
   bool has_mission_ = false;
   std::uint32_t incarnation_ = 0;
-  std::uint32_t asked_ = 0;  ///< the flight's question that the fleet was asked; 0: none
-  bool answered_ = false;    ///< the flight was told that it may fly
+  std::uint32_t asked_ = 0;      ///< the flight's question that the fleet was asked; 0: none
+  bool answered_ = false;        ///< the flight was told that it may fly
+  std::int64_t takeover_ = 0;    ///< of the plan that the fleet was asked about
+  tern::Trajectory proposed_{};  ///< that plan
+  bool pending_ = false;         ///< the flight committed it, and the fleet is yet to take it over
+  bool begins_anew_ = false;     ///< the flight committed what the fleet did not agree to
   std::int64_t next_round_ = 0;
   std::vector<tern::Track> tracks_;
   std::vector<tern::TrackPiece> pieces_;
-  std::vector<std::uint64_t> known_;  ///< of each track that the flight has: its id, and a hash of its curve's end
+  std::vector<std::uint64_t> known_;  ///< of each track that the flight has: its id, and whose plan it is
 };
 
 }  // namespace tern_host
