@@ -15,7 +15,7 @@ namespace {
 using tern_board::hex;
 using tern_board::print;
 
-TERN_BOARD_LARGE tern_golden::FlightMemory<20000, 48000> memory;
+TERN_BOARD_LARGE tern_golden::FlightMemory<20000, 48000 + 25 * tern::kMaxFlightPieces> memory;
 tern_golden::PillarCamera camera;
 tern_golden::TickCosts costs;
 
