@@ -164,7 +164,7 @@ TEST_F(MapExplained, LeavesOutTheVoxelsOfThingsAndNoOthers) {
       left_out += inside > 0.0L ? 1 : 0;
     }
   }
-  EXPECT_GT(left_out, 100 * tern_test::scaled(40));
+  EXPECT_GT(left_out, 10 * tern_test::scaled(40));
 }
 
 // What a thing hides is neither an obstacle nor seen free; what lies in front of it is seen.
