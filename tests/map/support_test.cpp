@@ -110,7 +110,7 @@ TEST(MapSupport, LoneImagesAreFilteredAsByAPlainLoop) {
       ASSERT_EQ(filtered.owned.map.route().obstacle(v), what_is_hit.owned.map.route().obstacle(v)) << k;
     }
   }
-  EXPECT_GT(lone, 1000);
+  EXPECT_GT(lone, 500);
 }
 
 }  // namespace
