@@ -67,6 +67,11 @@ class FlightState {
   void end_lift() noexcept;
   void end_lift_unproven() noexcept;
 
+  // clearance.cpp: plans that wait until others agree to them
+  Status answer(std::uint32_t number, bool may_fly) noexcept;
+  void leave_question() noexcept;
+  Progress run_renewal() noexcept;
+
   // results.cpp: what the results of a cycle mean to the other parts
   void begin_cycle() noexcept;
   bool look_out() noexcept;
@@ -79,11 +84,8 @@ class FlightState {
   void choose_draft(bool planned) noexcept;
   Progress run_proof() noexcept;
   Progress run_confirm() noexcept;
-  Progress run_renewal() noexcept;
   Progress or_fail(Progress progress) noexcept;
   bool commit() noexcept;
-  Status answer(std::uint32_t number, bool may_fly) noexcept;
-  void leave_question() noexcept;
   void enter_draft() noexcept;
   void fail() noexcept;
   void give_up() noexcept;

@@ -156,12 +156,6 @@ Progress FlightState::run_confirm() noexcept {
   return Progress::kDone;
 }
 
-Progress FlightState::run_renewal() noexcept {
-  if (draft.proof.step(tick_work) == Status::kRunning) return Progress::kMore;
-  draft.proof.report().finding == Finding::kNone ? static_cast<void>(commit()) : fail();
-  return Progress::kDone;
-}
-
 /// The progress of a step. A step that fails ends the cycle.
 Progress FlightState::or_fail(Progress progress) noexcept {
   if (progress != Progress::kFailed) return progress;
@@ -180,24 +174,6 @@ bool FlightState::commit() noexcept {
                     draft.changes_committed_plan(facts.plans);
   asks ? cycle.ask_for_clearance() : enter_draft();
   return true;
-}
-
-Status FlightState::answer(std::uint32_t number, bool may_fly) noexcept {
-  if (cycle.job != Job::kAnswer || number != cycle.question) return Status::kInvalidArgument;
-  if (may_fly) {
-    cycle.clear();
-  } else {
-    ++report.failed;
-    cycle.leave();
-  }
-  return Status::kOk;
-}
-
-/// Takes the question back. Who answered that the plan may be flown hears that it is not.
-void FlightState::leave_question() noexcept {
-  const bool is_cleared = cycle.job == Job::kCleared || cycle.job == Job::kRenew;
-  if (is_cleared) ++report.dropped;
-  if (is_cleared || cycle.job == Job::kAnswer) cycle.leave();
 }
 
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle

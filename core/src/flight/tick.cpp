@@ -67,8 +67,10 @@ bool FlightState::keep_pieces(Track& track) noexcept {
   const TrackTable* tables[5] = {&facts.tracks, &facts.plans.in_flight.tubes};
   int count = 2;
   if (facts.plans.has_waiting) tables[count++] = &facts.plans.waiting.tubes;
-  if (is_busy()) tables[count++] = &draft.plan.tubes;
-  if (is_busy()) tables[count++] = &cycle.expected;
+  if (is_busy()) {
+    tables[count++] = &draft.plan.tubes;
+    tables[count++] = &cycle.expected;
+  }
   return pieces.keep(track, tables, count);
 }
 

@@ -47,14 +47,6 @@ FloodLattice lay_out(const Grid& grid, const Vec3& middle, std::int32_t edge) no
   return lattice;
 }
 
-void keep_cells(const Voxel& low, const Voxel& high, FloodLattice& lattice) noexcept {
-  for (int a = 0; a < 3; ++a) {
-    axis(lattice.low, a) += lattice.edge * axis(low, a);
-    axis(lattice.cells, a) = axis(high, a) - axis(low, a) + 1;
-  }
-  count_words(lattice);
-}
-
 Voxel cell_at(const FloodLattice& lattice, const Grid& grid, const Vec3& point) noexcept {
   Voxel cell{};
   for (int a = 0; a < 3; ++a) {
@@ -62,6 +54,24 @@ Voxel cell_at(const FloodLattice& lattice, const Grid& grid, const Vec3& point) 
     axis(cell, a) = floor_index(along / lattice.size, 0, axis(lattice.cells, a) - 1);
   }
   return cell;
+}
+
+void keep_cells_between(const Grid& grid, const Vec3& from, const Vec3& to, const Voxel& steps,
+                        FloodLattice& lattice) noexcept {
+  const Voxel start = cell_at(lattice, grid, from);
+  const Voxel goal = cell_at(lattice, grid, to);
+  for (int a = 0; a < 3; ++a) {
+    const bool leads_up = axis(start, a) <= axis(goal, a);
+    const std::int32_t first = axis(leads_up ? start : goal, a);
+    const std::int32_t last = axis(leads_up ? goal : start, a);
+    const std::int32_t spare = (axis(steps, a) - (last - first)) / 2;
+    const std::int32_t further = spare > 0 ? spare : 0;
+    const std::int32_t low = first > further ? first - further : 0;
+    const std::int32_t high = last + further < axis(lattice.cells, a) ? last + further : axis(lattice.cells, a) - 1;
+    axis(lattice.low, a) += lattice.edge * low;
+    axis(lattice.cells, a) = high - low + 1;
+  }
+  count_words(lattice);
 }
 
 Vec3 middle_of(const FloodLattice& lattice, const Grid& grid, const Voxel& cell) noexcept {

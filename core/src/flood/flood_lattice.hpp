@@ -30,8 +30,10 @@ struct FloodLattice {
 /// Lays the lattice out over the boundary, so that `middle` is about in the middle of a cell.
 FloodLattice lay_out(const Grid& grid, const Vec3& middle, std::int32_t edge) noexcept;
 
-/// Keeps the cells from `low` to `high`, both of the lattice. They stay where they are.
-void keep_cells(const Voxel& low, const Voxel& high, FloodLattice& lattice) noexcept;
+/// Keeps the cells that a way from one point to another can pass with so many steps along each axis. They stay where
+/// they are.
+void keep_cells_between(const Grid& grid, const Vec3& from, const Vec3& to, const Voxel& steps,
+                        FloodLattice& lattice) noexcept;
 
 /// The cell that holds a point, or the nearest one.
 Voxel cell_at(const FloodLattice& lattice, const Grid& grid, const Vec3& point) noexcept;

@@ -193,24 +193,6 @@ bool trace(TimedFlood& flood) {
   return true;
 }
 
-/// Leaves out the cells that are too far off for any way of so many layers.
-void leave_out_far_cells(TimedFlood& flood, const Grid& grid) {
-  const Voxel start = cell_at(flood.lattice, grid, flood.query.from);
-  const Voxel goal = cell_at(flood.lattice, grid, flood.query.to);
-  Voxel low{};
-  Voxel high{};
-  for (int a = 0; a < 3; ++a) {
-    const bool leads_up = axis(start, a) <= axis(goal, a);
-    const std::int32_t first = axis(leads_up ? start : goal, a);
-    const std::int32_t last = axis(leads_up ? goal : start, a);
-    const std::int32_t spare = (steps_until(flood, flood.layers, a) - (last - first)) / 2;
-    const std::int32_t further = spare > 0 ? spare : 0;
-    axis(low, a) = first > further ? first - further : 0;
-    axis(high, a) = last + further < axis(flood.lattice.cells, a) ? last + further : axis(flood.lattice.cells, a) - 1;
-  }
-  keep_cells(low, high, flood.lattice);
-}
-
 /// Begins the forward pass.
 void begin_forward(TimedFlood& flood) {
   set_cell(flood.lattice, flood.start, free_cells(flood));
@@ -274,7 +256,10 @@ Status timed_flood_begin(TimedFlood& flood, const Grid& grid, const FloodQuery& 
     flood.step = flood.lattice.size / (query.share * speed);
     flood.layers = floor_index(query.longest / flood.step, 0, kMaxFloodLayers) + 1;
     if (flood.layers > kMaxFloodLayers) flood.layers = kMaxFloodLayers;
-    leave_out_far_cells(flood, grid);
+    // No way of so many layers leads further.
+    const std::int32_t last = flood.layers;
+    const Voxel steps{steps_until(flood, last, 0), steps_until(flood, last, 1), steps_until(flood, last, 2)};
+    keep_cells_between(grid, query.from, query.to, steps, flood.lattice);
     fits = words_of(flood) <= kMaxFloodWords;
   }
   if (is_full(!fits)) return Status::kFloodFull;

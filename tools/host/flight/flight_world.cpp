@@ -47,10 +47,13 @@ FlightWorld with_appeared(FlightWorld world, const std::vector<Appearance>& appe
   return world;
 }
 
+double room_within(const tern::Box& b, const tern::Vec3& p) {
+  return std::min(
+      {p.x - b.lower.x, b.upper.x - p.x, p.y - b.lower.y, b.upper.y - p.y, p.z - b.lower.z, b.upper.z - p.z});
+}
+
 double clearance(const FlightWorld& world, const tern::Vec3& p) {
-  const tern::Box& b = world.boundary;
-  double best =
-      std::min({p.x - b.lower.x, b.upper.x - p.x, p.y - b.lower.y, b.upper.y - p.y, p.z - b.lower.z, b.upper.z - p.z});
+  double best = room_within(world.boundary, p);
   for (const tern::Box& block : world.blocks) best = std::min(best, distance_to(block, p));
   for (const Cylinder& cylinder : world.cylinders) best = std::min(best, distance_to(cylinder, p));
   return best;

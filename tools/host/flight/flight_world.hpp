@@ -198,6 +198,9 @@ double distance_to(const tern::Box& block, const tern::Vec3& point);
 double distance_to(const Cylinder& cylinder, const tern::Vec3& point);
 double distance_to(const Appearance& appearance, const tern::Vec3& point);
 
+/// Distance of a point from the nearest face of a box that it is in, metres; negative outside.
+double room_within(const tern::Box& box, const tern::Vec3& point);
+
 /// Distance of a point from the nearest block, cylinder or wall, metres; negative outside the boundary.
 double clearance(const FlightWorld& world, const tern::Vec3& point);
 

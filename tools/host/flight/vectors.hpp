@@ -20,6 +20,10 @@ inline tern::Vec3 along(const tern::Vec3& from, double k, const tern::Vec3& v) {
   return {from.x + k * v.x, from.y + k * v.y, from.z + k * v.z};
 }
 
+inline double distance_between(const tern::Vec3& a, const tern::Vec3& b) {
+  return length(along(a, -1.0, b));
+}
+
 inline bool rests(const tern::Sample& s) {
   return !(length(s.velocity) > 0.0 || length(s.acceleration) > 0.0 || length(s.jerk) > 0.0);
 }

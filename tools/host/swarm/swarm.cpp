@@ -8,6 +8,8 @@
 #include <ctime>
 #include <memory>
 
+#include "host/flight/vectors.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -75,7 +77,7 @@ class Swarm {
     for (std::size_t k = 0; k < vehicles_.size(); ++k) {
       const tern::Vec3 a = vehicles_[k]->at(now_).position;
       const tern::Vec3 b = vehicles_[k]->at(now_ + step).position;
-      result_.members[k].length += std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+      result_.members[k].length += distance_between(a, b);
       for (const double value : {a.x, a.y, a.z}) {
         std::uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof bits);

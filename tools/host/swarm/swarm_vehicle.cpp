@@ -9,6 +9,8 @@
 #include <string>
 
 #include "base/work.hpp"
+#include "host/flight/vectors.hpp"
+#include "host/track_record.hpp"
 
 namespace tern_host {
 namespace {
@@ -22,10 +24,6 @@ constexpr int kSlideRoom = 40;
 
 /// Metres between what a vehicle flies and what its fleet says, at most: both are the same plan.
 constexpr double kAgree = 1e-9;
-
-std::int64_t nanoseconds(double seconds) {
-  return std::llround(1e9 * seconds);
-}
 
 int even_voxels(double metres, double cell) {
   return 2 * static_cast<int>(std::ceil(0.5 * metres / cell));
@@ -215,7 +213,7 @@ bool SwarmVehicle::agrees(std::int64_t time) const {
   const tern::Trajectory& told = *fleet_->flown();
   const tern::Vec3 said = evaluate(told, time_on(told, time)).position;
   const tern::Vec3 flown = flight_.command(time).sample.position;
-  return std::hypot(said.x - flown.x, said.y - flown.y, said.z - flown.z) < kAgree;
+  return distance_between(said, flown) < kAgree;
 }
 
 void SwarmVehicle::forget_question() {

@@ -3,7 +3,8 @@
 #include "host/swarm/swarm_watch.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "host/flight/vectors.hpp"
 
 namespace tern_host {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 constexpr double kTouch = 1e-6;
 /// Time is not halved below this, ns.
 constexpr std::int64_t kShortest = 1000;
-
-double distance_between(const tern::Vec3& a, const tern::Vec3& b) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
-}
 
 /// Calls `far(t)`, which says how far a distance at an instant is above what is needed, until no instant between the
 /// two can be below 0 at this closing speed, or one is. Halves, at most 40 deep.

@@ -9,6 +9,7 @@
 
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
+#include "host/flight/vectors.hpp"
 
 namespace tern_host {
 namespace {
@@ -137,8 +138,7 @@ SwarmWorld field(int count, Noise& random) {
   const auto is_free = [&](const tern::Vec3& place) {
     return std::none_of(world.tasks.begin(), world.tasks.end(), [&](const SwarmTask& task) {
       const tern::Vec3& goal = task.mission.back().position;
-      return std::hypot(place.x - task.start.x, place.y - task.start.y, place.z - task.start.z) < 1.2 ||
-             std::hypot(place.x - goal.x, place.y - goal.y, place.z - goal.z) < 1.2;
+      return distance_between(place, task.start) < 1.2 || distance_between(place, goal) < 1.2;
     });
   };
   const auto any_place = [&] {
@@ -201,9 +201,7 @@ SwarmWorld swarm_world(const std::string& name) {
 }
 
 double swarm_clearance(const SwarmWorld& world, const tern::Vec3& p) {
-  const tern::Box& b = world.boundary;
-  double nearest =
-      std::min({p.x - b.lower.x, b.upper.x - p.x, p.y - b.lower.y, b.upper.y - p.y, p.z - b.lower.z, b.upper.z - p.z});
+  double nearest = room_within(world.boundary, p);
   for (const tern::Box& block : world.blocks) nearest = std::min(nearest, distance_to(block, p));
   return nearest;
 }

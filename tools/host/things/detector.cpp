@@ -26,10 +26,6 @@ Vec3 error_within(double radius, Noise& noise) {
   }
 }
 
-double distance_between(const Vec3& a, const Vec3& b) {
-  return length(along(a, -1.0, b));
-}
-
 Vec3 expected_place(const tern::Track& track, std::int64_t t) {
   return along(track.position, 1e-9 * static_cast<double>(t - track.measured), track.velocity);
 }
