@@ -12,6 +12,7 @@
 
 #include "baselines/any_angle.hpp"
 #include "host/atomic_file.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/session.hpp"
 #include "paper/world.hpp"
 #ifdef TERN_HAVE_OMPL
@@ -55,7 +56,7 @@ std::string number(const char* format, double value) {
 
 /// One row; the ratio of Tern's length to the reference's is added to `ratios`.
 std::string row(const std::string& file, const Options& options, std::vector<double>& ratios) {
-  const tern_host::Scenario scenario = tern_host::read_scenario(file, options.settings);
+  const tern_host::Scenario scenario = tern_host::named_scenario(file, options.settings);
   static tern_host::Session session;
   const tern_host::PlanResult plan = session.plan(scenario);
   if (plan.path == nullptr) return file + ",no path\n";

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "host/flight/family_scenario.hpp"
 #include "host/session.hpp"
 #include "quantile.hpp"
 
@@ -117,7 +118,7 @@ void over_weights(Bench& bench, const std::string& group, const std::vector<std:
   std::map<double, Tally> tallies;
   std::map<double, Ladder> ladders;
   for (const std::string& file : files) {
-    tern_host::Scenario scenario = tern_host::read_scenario(file);
+    tern_host::Scenario scenario = tern_host::named_scenario(file);
     double last = 0.0;
     for (const double weight : kWeights) {
       scenario.time_weight = weight;
@@ -195,7 +196,7 @@ void over_limits_in_empty_space(Bench& bench, double weight) {
 void over_limits(Bench& bench, const std::vector<std::string>& files, double weight) {
   Ladder speeds, accelerations;
   for (const std::string& file : files) {
-    const tern_host::Scenario given = tern_host::read_scenario(file);
+    const tern_host::Scenario given = tern_host::named_scenario(file);
     tern_host::Scenario scenario = given;
     scenario.time_weight = weight;
     speeds.begin();
@@ -246,7 +247,7 @@ void over_replans(Bench& bench, const std::string& group, const std::vector<std:
   constexpr double kEvery = 0.3;
   Replans with_jerk, without, with_plan;
   for (const std::string& file : files) {
-    tern_host::Scenario scenario = tern_host::read_scenario(file);
+    tern_host::Scenario scenario = tern_host::named_scenario(file);
     scenario.time_weight = weight;
     const tern::Trajectory plan = bench.trajectory(scenario);
     const double end = tern::duration(plan);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "durations/duration_programme.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/session.hpp"
 #include "quantile.hpp"
 #include "times/time_unit.hpp"
@@ -110,7 +111,7 @@ struct Ratios {
 /// A scenario's plans, one a weight; none unless the optimiser made all of them.
 std::vector<tern::Trajectory> plans_of(tern_host::Session& session, const std::string& file,
                                        const std::vector<double>& weights, Given& given) {
-  tern_host::Scenario scenario = tern_host::read_scenario(file);
+  tern_host::Scenario scenario = tern_host::named_scenario(file);
   std::vector<tern::Trajectory> plans;
   for (const double weight : weights) {
     scenario.time_weight = weight;

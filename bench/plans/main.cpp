@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/figures.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/session.hpp"
 #include "leg_times.hpp"
 #include "plans/limit_rows.hpp"
@@ -117,7 +118,7 @@ int main(int argc, char** argv) {
   for (const Setting& setting : kSettings) {
     Tally tally;
     for (const std::string& file : files) {
-      tern_host::Scenario scenario = tern_host::read_scenario(file);
+      tern_host::Scenario scenario = tern_host::named_scenario(file);
       if (!setting.own) scenario.limits = setting.limits;
       scenario.time_weight = setting.time_weight;
       fly(session, prober, scenario, tally);

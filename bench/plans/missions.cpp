@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/flight/family_scenario.hpp"
 #include "host/session.hpp"
 #include "plans/gates.hpp"
 #include "quantile.hpp"
@@ -90,7 +91,7 @@ bool find_legs(Session& session, tern_test::Random& random, const Options& optio
 
 bool fly(Session& session, const std::string& file, const Options& options, std::uint64_t seed, Pair& pair) {
   tern_test::Random random(seed);
-  Scenario mission = tern_host::read_scenario(file);
+  Scenario mission = tern_host::named_scenario(file);
   mission.time_weight = options.time_weight;
   session.plan(mission);  // both sides begin with what the search knows about the map
   if (!find_legs(session, random, options, mission, pair)) return false;

@@ -17,6 +17,7 @@
 #include "host/export/held_end.hpp"
 #include "host/export/plan_export.hpp"
 #include "host/figures.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/map/map_files.hpp"
 #include "host/number.hpp"
 
@@ -176,7 +177,7 @@ void check_numbers(const ExportOptions& options) {
 
 int export_plan(const ExportOptions& options) {
   check_numbers(options);
-  const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  const tern_host::Scenario scenario = tern_host::named_scenario(options.scenario, options.overrides);
   print_warnings(scenario.warnings);
   check_output_paths(tern_host::input_paths(scenario),
                      {options.raw, options.csv, options.compressed, options.mavlink, options.multidof});

@@ -10,6 +10,7 @@
 #include "cli/output_paths.hpp"
 #include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/intent/conflicts.hpp"
 #include "host/intent/intent_json.hpp"
 #include "host/intent/intent_text.hpp"
@@ -116,7 +117,7 @@ int show_intent(IntentOptions& options) {
     check_output_paths(inputs, {options.json});
     return show_plan(options, read_others(options.others), frame);
   }
-  const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  const tern_host::Scenario scenario = tern_host::named_scenario(options.scenario, options.overrides);
   print_warnings(scenario.warnings);
   for (const std::string& path : tern_host::input_paths(scenario)) inputs.push_back(path);
   check_output_paths(inputs, {options.json, options.plan_json});

@@ -10,6 +10,7 @@
 #include "cli/output_paths.hpp"
 #include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/map/map_files.hpp"
 #include "host/map/scenario_grid.hpp"
 #include "host/number.hpp"
@@ -62,7 +63,7 @@ void print(const tern_host::Scenario& scenario, const GridMap& map) {
 
 int show_map(const MapOptions& options) {
   const tern_host::Scenario scenario =
-      tern_host::read_scenario(options.scenario, options.overrides, tern_host::Ends::kOptional);
+      tern_host::named_scenario(options.scenario, options.overrides, tern_host::Ends::kOptional);
   print_warnings(scenario.warnings);
   check_output_paths(tern_host::input_paths(scenario), {options.svg});
   const GridMap map(scenario);

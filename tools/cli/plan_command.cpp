@@ -11,6 +11,7 @@
 #include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/closed_way.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/map/map_files.hpp"
 #include "host/number.hpp"
 #include "host/page/page.hpp"
@@ -51,7 +52,7 @@ void write_outputs(const PlanOptions& options, const tern_host::Session& session
 
 int plan(const PlanOptions& options) {
   if (!options.html.empty()) tern_host::check_page(1);
-  const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  const tern_host::Scenario scenario = tern_host::named_scenario(options.scenario, options.overrides);
   print_warnings(scenario.warnings);
   check_output_paths(tern_host::input_paths(scenario),
                      {options.json, options.csv, options.svg, options.html, options.record});

@@ -17,6 +17,7 @@
 #include "cli/summary.hpp"
 #include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
+#include "host/flight/family_scenario.hpp"
 #include "host/page/page.hpp"
 #include "host/picture/picture.hpp"
 #include "host/plan_file.hpp"
@@ -90,7 +91,7 @@ int table(const TableOptions& options) {
   std::string rows = tern_host::plan_rows_header();
   std::fputs(table_header().c_str(), stdout);
   for (const std::string& file : options.scenarios) {
-    const tern_host::Scenario scenario = tern_host::read_scenario(file, options.overrides);
+    const tern_host::Scenario scenario = tern_host::named_scenario(file, options.overrides);
     print_warnings(scenario.warnings);
     const tern_host::PlanResult result = plan_repeatedly(session, scenario, options.repeat);
     if (!result.ok()) exit_status = kExitNoPlan;

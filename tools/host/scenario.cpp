@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "base/bounds.hpp"
-#include "host/flight/family_scenario.hpp"
-#include "host/flight/world_family.hpp"
 #include "host/map/map_files.hpp"
 #include "host/scenario_records.hpp"
 
@@ -59,9 +57,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name, const 
 }
 
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides, Ends ends) {
-  FamilyMember member;
-  const std::string text = is_member(path, member) ? scenario_text(read_flight_world(path, {})) : read_text(path);
-  Scenario scenario = parse_scenario(text, path, overrides, ends);
+  Scenario scenario = parse_scenario(read_text(path), path, overrides, ends);
   load_map_files(scenario);
   load_plans(path.substr(0, path.find_last_of('/') + 1), scenario.tracks);
   return scenario;

@@ -112,8 +112,8 @@ enum class Ends { kRequired, kOptional };
 Scenario parse_scenario(const std::string& text, const std::string& name,
                         const std::vector<std::string>& overrides = {}, Ends ends = Ends::kRequired);
 
-/// Reads and parses a file of at most kMaxTextBytes, and reads its map files; or makes the scenario that `path` names
-/// (flight/world_family.hpp), such as P25:7. Throws ScenarioError.
+/// Reads and parses a file of at most kMaxTextBytes, and the files of maps and plans that it names. Throws
+/// ScenarioError.
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides = {},
                        Ends ends = Ends::kRequired);
 

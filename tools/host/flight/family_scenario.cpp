@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "host/flight/full_knowledge.hpp"
+#include "host/flight/world_family.hpp"
 #include "host/number.hpp"
 #include "tern/flight.hpp"
 
@@ -70,6 +70,12 @@ std::string scenario_text(const FlightWorld& world) {
   if (limits.tilt_tangent > 0.0) text += record("tilt_tangent", {limits.tilt_tangent});
   if (limits.rate_max > 0.0) text += record("rate_max", {limits.rate_max});
   return text + record("time_weight", {tern::flight_spec(limits).time_weight});
+}
+
+Scenario named_scenario(const std::string& name, const std::vector<std::string>& overrides, Ends ends) {
+  FamilyMember member;
+  if (!is_member(name, member)) return read_scenario(name, overrides, ends);
+  return parse_scenario(scenario_text(read_flight_world(name, {})), name, overrides, ends);
 }
 
 }  // namespace tern_host
