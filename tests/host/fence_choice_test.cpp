@@ -99,15 +99,49 @@ TEST(FenceChoice, MarksWhatARequestTakesNoMore) {
   }
 }
 
-TEST(FenceChoice, SaysThatTooManyMatterForAWhile) {
+/// The time at which a plan is in a zone while it holds, or a negative one. Seconds of the plan.
+double broken_at(const PlanResult& result) {
+  const double end = tern::duration(result.trajectory);
+  for (int i = 0; i <= 5000; ++i) {
+    const double t = end * i / 5000;
+    const tern::Vec3 p = tern::evaluate(result.trajectory, t).position;
+    for (const FenceRecord& zone : result.scenario.fences) {
+      const bool always = zone.fence.from == zone.fence.until;
+      const auto now = static_cast<std::int64_t>(t * 1e9);
+      const bool holds = always || (now >= zone.fence.from && now <= zone.fence.until);
+      if (holds && distance(zone, p) < 1.0 - 1e-6) return t;
+    }
+  }
+  return -1.0;
+}
+
+TEST(FenceChoice, ClosesWhatLeavesNoClearTime) {
+  Random random(110);
+  const int cases = tern_test::scaled(10);
+  tern_host::Session session;
+  for (int c = 0; c < cases; ++c) {
+    Scenario scenario = random_zones(random, 500);
+    for (std::size_t i = 0; i < scenario.fences.size(); i += 10) {
+      const double from = random.real(-60.0, 60.0);
+      scenario.fences[i].fence.from = static_cast<std::int64_t>(from * 1e9);
+      scenario.fences[i].fence.until = static_cast<std::int64_t>((from + random.real(200.0, 2000.0)) * 1e9);
+    }
+    const PlanResult result = session.plan(scenario);
+    ASSERT_TRUE(result.ok()) << "case " << c << ": " << tern::status_name(result.report.status);
+    EXPECT_LT(broken_at(result), 0.0) << "case " << c;
+  }
+}
+
+TEST(FenceChoice, MarksWhatHoldsForAWhileAsClosed) {
   Scenario scenario = slalom(18);
   for (FenceRecord& wall : scenario.fences) {
     wall.fence.from = -1000000000;
     wall.fence.until = 1000000000000;
   }
   tern_host::Session session;
-  const tern::Status status = session.plan(scenario).report.status;
-  EXPECT_TRUE(status == tern::Status::kFencesFull || status == tern::Status::kNoClearTime) << tern::status_name(status);
+  const PlanResult result = session.plan(scenario);
+  ASSERT_TRUE(result.ok()) << tern::status_name(result.report.status);
+  EXPECT_LT(broken_at(result), 0.0);
 }
 
 TEST(FenceChoice, NumbersFencesAsTheyWereGiven) {

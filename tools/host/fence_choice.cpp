@@ -33,7 +33,9 @@ Scenario without_obstacles(const Scenario& scenario) {
 }  // namespace
 
 FenceChoice::FenceChoice(const Scenario& scenario)
-    : scenario_(scenario), map_(std::make_unique<GridMap>(without_obstacles(scenario))) {
+    : scenario_(scenario),
+      map_(std::make_unique<GridMap>(without_obstacles(scenario))),
+      closed_(scenario.fences.size(), false) {
   if (map_->status != tern::Status::kOk) {
     throw ScenarioError(scenario.boundary_place, std::string("no grid: ") + tern::status_meaning(map_->status));
   }
@@ -47,9 +49,15 @@ FenceChoice::~FenceChoice() = default;
 Scenario FenceChoice::chosen() const {
   Scenario some = scenario_;
   some.fences.clear();
-  for (const std::size_t i : added_) some.fences.push_back(scenario_.fences[i]);
-  for (const std::size_t i : marked_) some.marked.push_back(scenario_.fences[i]);
+  for (const std::size_t i : added_) some.fences.push_back(record(i));
+  for (const std::size_t i : marked_) some.marked.push_back(record(i));
   return some;
+}
+
+FenceRecord FenceChoice::record(std::size_t i) const {
+  FenceRecord record = scenario_.fences[i];
+  if (closed_[i]) record.fence.from = record.fence.until = 0;
+  return record;
 }
 
 std::int32_t FenceChoice::index_of(std::int32_t chosen) const {
@@ -85,8 +93,33 @@ double FenceChoice::clear_until(const FenceRecord& record, const tern::Trajector
 
 bool FenceChoice::is_full() const {
   std::vector<FenceRecord> added;
-  for (const std::size_t i : added_) added.push_back(scenario_.fences[i]);
+  for (const std::size_t i : added_) added.push_back(record(i));
   return exceeds_capacity(added);
+}
+
+bool FenceChoice::mark_first() {
+  const auto first = [this](bool timed) {
+    return std::find_if(added_.begin(), added_.end(), [this, timed](std::size_t i) {
+      const tern::Fence fence = record(i).fence;
+      return fence.kind == tern::FenceKind::kKeepOut && tern::is_timed(fence) == timed;
+    });
+  };
+  auto marked = first(false);
+  if (marked == added_.end()) marked = first(true);
+  if (marked == added_.end()) return false;
+  closed_[*marked] = true;
+  marked_.push_back(*marked);
+  added_.erase(marked);
+  return true;
+}
+
+bool FenceChoice::close(std::int32_t chosen) {
+  if (chosen < 0 || static_cast<std::size_t>(chosen) >= added_.size()) return false;
+  const std::size_t i = added_[static_cast<std::size_t>(chosen)];
+  const tern::Fence fence = record(i).fence;
+  if (fence.kind != tern::FenceKind::kKeepOut || !tern::is_timed(fence)) return false;
+  closed_[i] = true;
+  return true;
 }
 
 bool FenceChoice::add_broken(const tern::Trajectory& plan) {
@@ -105,14 +138,7 @@ bool FenceChoice::add_broken(const tern::Trajectory& plan) {
   }
   if (std::isinf(first)) return false;
   added_.push_back(broken);
-  while (is_full()) {
-    const auto oldest = std::find_if(added_.begin(), added_.end(), [this](std::size_t i) {
-      const tern::Fence& fence = scenario_.fences[i].fence;
-      return fence.kind == tern::FenceKind::kKeepOut && !tern::is_timed(fence);
-    });
-    if (oldest == added_.end()) break;
-    marked_.push_back(*oldest);
-    added_.erase(oldest);
+  while (is_full() && mark_first()) {
   }
   return true;
 }

@@ -18,9 +18,10 @@ namespace tern_host {
 struct GridMap;
 
 /// Begins with the keep-ins. A keep-out is added once a plan breaks it. Where a request takes no more, the keep-out
-/// that was added first and always holds is marked in the grid instead, rounded outwards to voxels. A plan is proven
-/// clear of all fences by the certifier, one after the other. Each fence is added once, so that there are no more plans
-/// than fences.
+/// that was added first is marked in the grid instead, rounded outwards to voxels; those that hold for a while come
+/// last, and are then closed at all times. So are those that leave no clear time for a plan. A plan is proven clear of
+/// all fences, as they were given, by the certifier, one after the other. Each fence is added once and closed once, so
+/// that there are at most twice as many plans as fences.
 class FenceChoice {
  public:
   /// Throws ScenarioError where the boundary does not fit a grid.
@@ -29,25 +30,30 @@ class FenceChoice {
   FenceChoice(const FenceChoice&) = delete;
   FenceChoice& operator=(const FenceChoice&) = delete;
 
-  /// The scenario with the fences that were added so far. If those that hold for a while are more than a request takes,
-  /// the planner refuses them.
+  /// The scenario with the fences that were added so far.
   Scenario chosen() const;
 
   /// Proves the plan against each fence that the planner did not have, and adds the one that it breaks first. False if
   /// there is none: the plan is proven clear of all.
   bool add_broken(const tern::Trajectory& plan);
 
+  /// Closes one of chosen() at all times: a keep-out for a while among which no plan was found. False if it is none.
+  bool close(std::int32_t chosen);
+
   /// The index among all fences of one of chosen(); kNoFence stays what it is.
   std::int32_t index_of(std::int32_t chosen) const;
 
  private:
   bool is_full() const;
+  bool mark_first();
+  FenceRecord record(std::size_t i) const;
   double clear_until(const FenceRecord& record, const tern::Trajectory& plan) const;
 
   const Scenario& scenario_;
   std::unique_ptr<GridMap> map_;     // nothing in the boundary, for proofs
   std::vector<std::size_t> added_;   // in order
   std::vector<std::size_t> marked_;  // in the grid
+  std::vector<bool> closed_;         // at all times
 };
 
 }  // namespace tern_host

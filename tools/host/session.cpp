@@ -94,10 +94,12 @@ tern::Status Session::build_grid(PlanResult& result) {
 PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
   if (!exceeds_capacity(scenario.fences)) return plan_once(scenario, previous, previous_time);
   FenceChoice choice(scenario);
+  const auto has_changed = [&choice](const PlanResult& result) {
+    if (result.ok()) return choice.add_broken(result.trajectory);
+    return result.report.status == tern::Status::kNoClearTime && choice.close(result.report.fence);
+  };
   PlanResult result = plan_once(choice.chosen(), previous, previous_time);
-  while (result.ok() && choice.add_broken(result.trajectory)) {
-    result = plan_once(choice.chosen(), previous, previous_time);
-  }
+  while (has_changed(result)) result = plan_once(choice.chosen(), previous, previous_time);
   result.scenario.fences = scenario.fences;
   result.report.fence = choice.index_of(result.report.fence);
   result.report.check.fence = choice.index_of(result.report.check.fence);
