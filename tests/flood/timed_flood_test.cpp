@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/bounds.hpp"
 #include "flood/timed_way.hpp"
 #include "support/random.hpp"
 #include "support/world.hpp"
@@ -32,6 +33,7 @@ class Floods : public testing::Test {
     query_.to = {7.4, 2.0, 1.0};
     query_.fastest = {1.0, 1.0, 1.0};
     query_.strongest = {10.0, 10.0, 10.0};
+    query_.sharpest = {kUnlimited, kUnlimited, kUnlimited};
     query_.longest = 20.0;
     query_.share = 1.0;
     query_.edge = 4;
@@ -183,6 +185,18 @@ TEST_F(Floods, KeepWhatTheStartsVelocityAllows) {
   // It flies back for a second and half a metre before it turns, and needs half a second more at the goal.
   EXPECT_GT(arrival(), 4.4 + 1.0 + 0.5);
   EXPECT_LT(arrival(), 4.4 + 1.0 + 0.5 + 0.5 + 3 * 0.4);
+}
+
+/// A limit on jerk delays the ways that begin and end at rest: here, taking up the acceleration takes two seconds.
+TEST_F(Floods, KeepWhatALimitOnJerkAllows) {
+  query_.strongest = {1.0, 1.0, 1.0};
+  ASSERT_EQ(run(), Progress::kDone);
+  const double sudden = arrival();
+  query_.sharpest = {0.25, 0.25, 0.25};
+  ASSERT_EQ(run(), Progress::kDone);
+  EXPECT_GT(arrival(), sudden + 1.5);
+  EXPECT_LT(arrival(), sudden + 4.5);
+  expect_way();
 }
 
 TEST_F(Floods, TooManyCellsAreAReason) {

@@ -90,7 +90,7 @@ void flood_caps() {
   tern::FloodQuery query{};
   query.from = {0.05, 3.25, 3.25};
   query.to = {6.35, 3.25, 3.25};
-  query.fastest = query.strongest = {1.0, 1.0, 1.0};
+  query.fastest = query.strongest = query.sharpest = {1.0, 1.0, 1.0};
   query.share = 1.0;
   query.edge = 1;
   // A layer is 4096 words, and there are 4 more than two for each layer and the start.

@@ -12,11 +12,13 @@ namespace {
 constexpr double kSpare = 0.6;
 
 /// The way along an axis in `time` from velocity v0, at full acceleration up to the speed.
-double reach_of(double v0, double speed, double acceleration, double time) {
-  const double from = smaller(v0, speed);
-  const double ramp = (speed - from) / acceleration;
-  const double t = smaller(time, ramp);
-  return from * t + 0.5 * acceleration * t * t + speed * larger(0.0, time - ramp);
+double reach_of(double v0, const FloodAxis& limits, double time) {
+  const double gain = larger(0.0, limits.fastest - v0);
+  const SpeedUp up = speed_up(gain, limits);
+  const double since = larger(0.0, time - 0.5 * up.delay);
+  const double t = smaller(since, up.ramp);
+  const double from = smaller(v0, limits.fastest);
+  return from * time + 0.5 * up.acceleration * t * t + gain * (since - t);
 }
 
 /// The cells along an axis whose middles are between two places.
@@ -89,7 +91,16 @@ void clear_near(const FloodLattice& lattice, const Vec3& first, const Near& near
   }
 }
 
+FloodAxis limits_along(const FloodReach& from, int a) {
+  return {axis(from.fastest, a), axis(from.strongest, a), axis(from.sharpest, a)};
+}
+
 }  // namespace
+
+SpeedUp speed_up(double gain, const FloodAxis& limits) noexcept {
+  const double most = smaller(limits.strongest, square_root(gain * limits.sharpest));
+  return most > 0.0 ? SpeedUp{most, gain / most, most / limits.sharpest} : SpeedUp{0.0, 0.0, 0.0};
+}
 
 Operations clear_near_thing(const FloodLattice& lattice, const Grid& grid, const Things& things, const Track& track,
                             double time, double more, std::uint64_t* layer) noexcept {
@@ -112,11 +123,10 @@ void clear_out_of_reach(const FloodLattice& lattice, const Grid& grid, const Flo
   Voxel low{};
   Voxel high{};
   for (int a = 0; a < 3; ++a) {
-    const double speed = axis(from.fastest, a);
-    const double strength = axis(from.strongest, a);
+    const FloodAxis limits = limits_along(from, a);
     const double base = axis(lattice.low, a) * grid.spec().cell;
-    const double up = axis(from.point, a) + reach_of(axis(from.velocity, a), speed, strength, time) + spare;
-    const double down = axis(from.point, a) - reach_of(-axis(from.velocity, a), speed, strength, time) - spare;
+    const double up = axis(from.point, a) + reach_of(axis(from.velocity, a), limits, time) + spare;
+    const double down = axis(from.point, a) - reach_of(-axis(from.velocity, a), limits, time) - spare;
     axis(low, a) = floor_index((down - base) / lattice.size, -1, axis(lattice.cells, a));
     axis(high, a) = floor_index((up - base) / lattice.size, -1, axis(lattice.cells, a));
   }

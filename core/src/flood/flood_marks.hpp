@@ -16,12 +16,29 @@ namespace tern {
 Operations clear_near_thing(const FloodLattice& lattice, const Grid& grid, const Things& things, const Track& track,
                             double time, double more, std::uint64_t* layer) noexcept;
 
-/// A point that motion begins at, in the grid's local frame, m/s and m/s^2 along each axis.
+/// The limits along an axis, > 0: m/s, m/s^2 and m/s^3.
+struct FloodAxis {
+  double fastest;
+  double strongest;  ///< acceleration
+  double sharpest;   ///< jerk; infinite if there is no limit
+};
+
+/// How a velocity is gained within the limits: at a steady acceleration, m/s^2, for `ramp` seconds. The acceleration
+/// has to be taken up and down again, so this comes `delay` seconds later at its end, and half of that on average.
+struct SpeedUp {
+  double acceleration;
+  double ramp;
+  double delay;
+};
+SpeedUp speed_up(double gain, const FloodAxis& limits) noexcept;
+
+/// A point that motion begins at, in the grid's local frame, and the limits along each axis.
 struct FloodReach {
   Vec3 point;
   Vec3 velocity;
-  Vec3 fastest;    ///< > 0
-  Vec3 strongest;  ///< > 0, acceleration
+  Vec3 fastest;
+  Vec3 strongest;
+  Vec3 sharpest;
 };
 
 /// Clears the cells that cannot be reached from there within `time` seconds.

@@ -55,7 +55,9 @@ void spread(TimedFlood& flood, std::int32_t layer, const std::uint64_t* in, std:
 /// Clears what cannot be reached from a point with a velocity within `time`.
 void keep_reachable(const TimedFlood& flood, const Grid& grid, const Vec3& point, const Vec3& velocity, double time,
                     std::uint64_t* layer) {
-  clear_out_of_reach(flood.lattice, grid, {point, velocity, flood.query.fastest, flood.query.strongest}, time, layer);
+  const FloodQuery& query = flood.query;
+  clear_out_of_reach(flood.lattice, grid, {point, velocity, query.fastest, query.strongest, query.sharpest}, time,
+                     layer);
 }
 
 /// Begins to look whether the goal stays clear from the layer on, latest instant first.
@@ -106,8 +108,10 @@ std::int32_t braking_layers(const TimedFlood& flood) {
   double longest = 0.0;
   for (int a = 0; a < 3; ++a) {
     if (axis(flood.start, a) == axis(flood.goal, a)) continue;
-    const double speed = flood.query.share * axis(flood.query.fastest, a);
-    longest = larger(longest, 0.5 * speed / axis(flood.query.strongest, a));
+    const FloodQuery& query = flood.query;
+    const double speed = query.share * axis(query.fastest, a);
+    const SpeedUp up = speed_up(speed, {speed, axis(query.strongest, a), axis(query.sharpest, a)});
+    longest = larger(longest, 0.5 * (up.ramp + up.delay));
   }
   return floor_index(longest / flood.step, 0, kMaxFloodLayers);
 }

@@ -39,6 +39,7 @@ struct FloodQuery {
   Vec3 velocity;      ///< at `from`
   Vec3 fastest;       ///< m/s along each axis, > 0
   Vec3 strongest;     ///< m/s^2 along each axis, > 0
+  Vec3 sharpest;      ///< m/s^3 along each axis, > 0; infinite if there is no limit
   double begin;       ///< s of the things' clock: when the way begins
   double rest;        ///< s that `to` is to stay clear
   double longest;     ///< s: the way takes no longer

@@ -7,6 +7,7 @@
 #include "curve/hermite.hpp"
 #include "curve/rest.hpp"
 #include "grid/lattice.hpp"
+#include "times/trapezoid.hpp"
 
 namespace tern {
 namespace {
@@ -61,6 +62,55 @@ double share_on(const Vec3& point, const Vec3& from, const Vec3& to) {
   return distance(from + share * along, point) < kSamePlace ? share : -1.0;
 }
 
+/// Accelerations that are tried, each half of the one before.
+constexpr int kAccelerations = 6;
+constexpr Operations kGainOperations = (kAccelerations + 8) * ops::kDot;
+
+/// Seconds in which `far` metres can be covered along a direction, at `speed` m/s first, within the limits on
+/// acceleration and jerk. To take up an acceleration delays the motion, so a smaller one may be sooner there.
+double gaining_time(double far, double speed, const Vec3& delta, const MotionLimits& limits) {
+  double acceleration = limits_along(delta, limits).acceleration;
+  const double stiffness = ramp_gauge(limits, (1.0 / length(delta)) * delta);
+  double least = 1e300;
+  for (int i = 0; i < kAccelerations; ++i, acceleration *= 0.5) {
+    const double motion = (square_root(speed * speed + 2.0 * acceleration * far) - speed) / acceleration;
+    least = smaller(least, motion + 0.5 * acceleration * stiffness);
+  }
+  return least;
+}
+
+/// Seen from one end of the way: how far it has led since it last rested, and how long that took.
+struct Run {
+  double speed;  ///< at its beginning
+  double length;
+  double time;
+};
+
+/// Lengthens the duration of a leg so that its end is not reached before it can be.
+void allow_for_gaining(const Vec3& delta, const MotionLimits& limits, Run& run, double& duration) {
+  const double far = length(delta);
+  if (!(far > kSamePlace)) {
+    run = Run{};
+    return;
+  }
+  run.length += far;
+  duration = larger(duration, gaining_time(run.length, run.speed, delta, limits) - run.time);
+  run.time += duration;
+}
+
+/// Lengthens the legs beside an end or a rest that are shorter than it takes to gain speed, or to lose it. The flood's
+/// cells are too wide to tell; with durations in which its first leg cannot be flown, no programme has a solution.
+void allow_for_gaining(const Problem& problem, const Ends& ends, TimedWay& way, Work& work) {
+  work.spend(2 * kGainOperations * way.count);
+  Run run{length(ends.start.velocity), 0.0, 0.0};
+  for (int i = 0; i < way.count; ++i)
+    allow_for_gaining(way.points[i + 1] - way.points[i], problem.limits, run, way.duration[i]);
+  const MotionLimits braking = backwards(problem.limits);
+  run = {length(ends.goal.velocity), 0.0, 0.0};
+  for (int i = way.count - 1; i >= 0; --i)
+    allow_for_gaining(way.points[i] - way.points[i + 1], braking, run, way.duration[i]);
+}
+
 }  // namespace
 
 bool may_flood(const Problem& problem) noexcept {
@@ -78,6 +128,7 @@ Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop&
   query.velocity = ends.start.velocity;
   query.fastest = symmetric(problem.limits.velocity);
   query.strongest = symmetric(problem.limits.acceleration);
+  query.sharpest = symmetric(problem.limits.jerk);
   for (int i = 0; i < start_stop.count; ++i) query.begin += start_stop.segments[i].duration;
   query.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
   query.longest = longest / (of.share * of.share);
@@ -88,14 +139,17 @@ Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop&
   return timed_flood_begin(flood, grid, query);
 }
 
-Progress timed_seed_advance(const Problem& problem, TimedFlood& flood, TimedWay& way, Work& work) noexcept {
+Progress timed_seed_advance(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedWay& way,
+                            Work& work) noexcept {
   const Grid& grid = voxels_of(problem);
   if (way.count < 0) {
     const Progress progress = timed_flood_advance(flood, grid, work);
     if (progress != Progress::kDone) return progress;
     timed_way_begin(flood, way);
   }
-  return timed_way_advance(flood, grid, way, work);
+  const Progress progress = timed_way_advance(flood, grid, way, work);
+  if (progress == Progress::kDone) allow_for_gaining(problem, ends, way, work);
+  return progress;
 }
 
 void take_way(const TimedWay& way, Path& path) noexcept {

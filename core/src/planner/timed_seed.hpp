@@ -31,7 +31,8 @@ bool may_flood(const Problem& problem) noexcept;
 Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, int seed, double longest,
                         TimedFlood& flood, TimedWay& way) noexcept;
 /// Its pieces are those of the flood and of its way. kFailed: there is none.
-Progress timed_seed_advance(const Problem& problem, TimedFlood& flood, TimedWay& way, Work& work) noexcept;
+Progress timed_seed_advance(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedWay& way,
+                            Work& work) noexcept;
 
 /// Makes the way's legs the path's.
 void take_way(const TimedWay& way, Path& path) noexcept;
