@@ -106,10 +106,34 @@ TEST(ZoneFit, RefusesHeightsThatItCannotConvert) {
   expect_refused(reversed, "below its lower");
 }
 
+TEST(ZoneFit, AKeepInWithTimesClosesAllAroundIt) {
+  ZoneCase c = square_case(ZoneKind::kKeepIn, {});
+  c.zone.times.push_back({});
+  c.zone.upper = tern_host::ZoneHeight{440.0, HeightReference::kEllipsoid};
+  const FittedZone fitted = tern_host::fit_zone(c.zone, c.heights, c.settings);
+  ASSERT_EQ(fitted.fences.size(), 5u);
+  for (const FittedFence& fence : fitted.fences) {
+    EXPECT_EQ(fence.kind, tern::FenceKind::kKeepOut);
+    EXPECT_EQ(fence.planes.size(), 1u);
+    ASSERT_EQ(fence.outline.size(), 4u);
+    // The side is about 100 m from the origin, and the boundary with its clearance ends 500.5 m from it.
+    const double area =
+        std::fabs((fence.outline[2].x - fence.outline[0].x) * (fence.outline[3].y - fence.outline[1].y) -
+                  (fence.outline[2].y - fence.outline[0].y) * (fence.outline[3].x - fence.outline[1].x)) /
+        2.0;
+    const bool level = fence.planes[0].normal.z != 0.0;
+    EXPECT_NEAR(area, level ? 1001.0 * 1001.0 : 1001.0 * 400.5, 20.0);
+    EXPECT_EQ(fence.bottom, level ? 40.0 : -INFINITY);
+  }
+  EXPECT_TRUE(allowed(fitted, {99.0, -99.0, 39.0}));
+  EXPECT_FALSE(allowed(fitted, {99.0, -99.0, 41.0}));
+  EXPECT_FALSE(allowed(fitted, {-101.0, 0.0, 39.0}));
+  // What holds the whole boundary closes nothing.
+  c.settings.boundary = {{-50.0, -50.0, 0.0}, {50.0, 50.0, 30.0}};
+  EXPECT_TRUE(tern_host::fit_zone(c.zone, c.heights, c.settings).fences.empty());
+}
+
 TEST(ZoneFit, RefusesWhatItCannotFit) {
-  ZoneCase timed = square_case(ZoneKind::kKeepIn, {});
-  timed.zone.times.push_back({});
-  expect_refused(timed, "a keep-in with times");
   ZoneCase away = square_case(ZoneKind::kKeepIn, {});
   for (GeoPoint& p : away.zone.areas[0].ring) p.latitude += 1.0;
   expect_refused(away, "leaves no room");

@@ -205,12 +205,51 @@ class ZoneFit {
     const ConvexPiece inner = piece_of(fewer_corners(corners, kMostSides, lost));
     find_heights(inner);
     add_fence(tern::FenceKind::kKeepIn, inner, -by_ - flat, bottom_, top_);
+    if (!zone_.times.empty()) turn_inside_out();
     for (const ConvexPiece& pocket : rest) {
       if (reaches(pocket, box_, 2.0 * by_)) add_fence(tern::FenceKind::kKeepOut, pocket, by_, -kInfinity, kInfinity);
     }
     out_.off = shape_off_ + 2.0 * by_ + flat + lost;
     if (rest.empty()) return;
     out_.notes.push_back("not convex: a convex keep-in and keep-outs of the rest, from which the clearance is kept");
+  }
+
+  /// The far sides of a keep-in's half-spaces as keep-outs. A fence that is a keep-in for a while would be a link of a
+  /// chain, outside of which a plan may never be.
+  void turn_inside_out() {
+    const std::vector<FittedFence> within = std::move(out_.fences);
+    out_.fences.clear();
+    for (const FittedFence& fence : within) {
+      for (const tern::Halfspace& side : fence.planes) {
+        const tern::Vec3& n = side.normal;
+        out_.fences.push_back({tern::FenceKind::kKeepOut,
+                               {{{-n.x, -n.y, -n.z}, -side.offset}},
+                               beyond_in_box(side),
+                               n.z > 0.0 ? side.offset : -kInfinity,
+                               n.z < 0.0 ? -side.offset : kInfinity});
+      }
+    }
+    out_.notes.push_back("a keep-in with times: keep-outs of all around it, from which the clearance is kept");
+  }
+
+  /// The part of the box in plan that is beyond a half-space: all of it, if the half-space is level.
+  std::vector<ConvexPiece::Vertex> beyond_in_box(const tern::Halfspace& side) const {
+    const ConvexPiece::Vertex corners[] = {{box_.lower.east, box_.lower.north},
+                                           {box_.upper.east, box_.lower.north},
+                                           {box_.upper.east, box_.upper.north},
+                                           {box_.lower.east, box_.upper.north}};
+    if (side.normal.z != 0.0) return {std::begin(corners), std::end(corners)};
+    const auto depth = [&side](const ConvexPiece::Vertex& v) {
+      return side.normal.x * v.x + side.normal.y * v.y - side.offset;
+    };
+    std::vector<ConvexPiece::Vertex> part;
+    for (int i = 0; i < 4; ++i) {
+      const ConvexPiece::Vertex &a = corners[i], &b = corners[(i + 1) % 4];
+      const double at_a = depth(a), at_b = depth(b), t = at_a / (at_a - at_b);
+      if (at_a >= 0.0) part.push_back(a);
+      if ((at_a >= 0.0) != (at_b >= 0.0)) part.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+    return part;
   }
 
   const Zone& zone_;
@@ -255,9 +294,6 @@ void check_fit(const FitSettings& settings) {
 }
 
 FittedZone fit_zone(const Zone& zone, const ZoneHeights& heights, const FitSettings& settings) {
-  if (zone.kind == ZoneKind::kKeepIn && !zone.times.empty()) {
-    throw std::invalid_argument("a keep-in with times is not read: Tern's keep-ins for a while are links of a chain");
-  }
   return ZoneFit(zone, heights, settings).run();
 }
 

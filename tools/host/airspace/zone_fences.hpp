@@ -46,8 +46,8 @@ struct FittedZone {
 /// frame is good for, a clearance or looseness out of range.
 void check_fit(const FitSettings& settings);
 
-/// A keep-in that is not convex becomes a convex keep-in and keep-outs of what that has too much. Throws
-/// std::invalid_argument with the reason where a zone cannot be made fences of.
+/// A keep-in that is not convex becomes a convex keep-in and keep-outs of what that has too much; one with times,
+/// keep-outs of all around it. Throws std::invalid_argument with the reason where a zone cannot be made fences of.
 FittedZone fit_zone(const Zone& zone, const ZoneHeights& heights, const FitSettings& settings);
 
 }  // namespace tern_host
