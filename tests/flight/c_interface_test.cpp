@@ -307,6 +307,7 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   EXPECT_EQ(tern_flight_proposal(nullptr, &plan, &takeover), 0u);
   EXPECT_EQ(tern_flight_proposal(&flight, nullptr, &takeover), 0u);
   EXPECT_EQ(tern_flight_answer(&flight, 1, true), kInvalid);
+  EXPECT_EQ(tern_flight_set_clearance(&flight, 1000), kInvalid);
   tern_command command{};
   command.look_at = goal;
   tern_flight_command(&flight, 0, &command);

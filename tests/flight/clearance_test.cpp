@@ -202,6 +202,51 @@ TEST(FlightClearance, AnotherVehiclesCurveIsNoThreat) {
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
 }
 
+// Until the takeover, a yes may become a no: before the plan is committed, and after.
+TEST(FlightClearance, AnAnswerMayBeTakenBackUntilTheTakeover) {
+  AskingInFlight room;
+  for (int ticks = 0; ticks <= 8; ticks += 4) {
+    room.flight.set_goal(kAskedGoal);
+    Trajectory before{}, after{};
+    room.flight.committed_plan(before);
+    const std::uint32_t number = room.wait_for_question();
+    ASSERT_NE(number, 0u);
+    EXPECT_EQ(room.flight.answer(number, true), Status::kOk);
+    for (int k = 0; k < ticks; ++k) room.tick();
+    EXPECT_EQ(room.flight.committed_plan(after), Status::kOk);
+    EXPECT_EQ(after.begin == room.plan.begin, ticks > 0);
+    const std::uint32_t dropped = room.report.dropped;
+    EXPECT_EQ(room.flight.answer(number, false), Status::kOk);
+    EXPECT_EQ(room.flight.answer(number, false), Status::kInvalidArgument);
+    room.flight.committed_plan(after);
+    EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0) << ticks;
+    room.tick();
+    EXPECT_EQ(room.report.dropped, dropped + 1);
+    EXPECT_TRUE(room.tick_until([&] { return room.time > room.takeover; }, 60));
+    room.flight.committed_plan(after);
+    EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0) << ticks;
+  }
+  const std::uint32_t number = room.wait_for_question();
+  EXPECT_EQ(room.flight.answer(number, true), Status::kOk);
+  EXPECT_TRUE(room.tick_until([&] { return room.time > room.takeover; }, 60));
+  EXPECT_EQ(room.flight.answer(number, false), Status::kInvalidArgument);
+}
+
+TEST(FlightClearance, TheTimeForAnswersMayChange) {
+  AskingRoom room;
+  room.wait_for_question();
+  const std::int64_t first = room.takeover - room.time;
+  EXPECT_EQ(room.flight.set_clearance(2000000000), Status::kOk);
+  EXPECT_EQ(room.flight.answer(room.flight.proposal(room.plan, room.takeover), false), Status::kOk);
+  room.wait_for_question();
+  EXPECT_NEAR(static_cast<double>(room.takeover - room.time - first), 1.7e9, 0.3e9);
+  for (const std::int64_t time : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{10000000001}}) {
+    EXPECT_EQ(room.flight.set_clearance(time), Status::kInvalidArgument);
+  }
+  EXPECT_EQ(FlightRoom().flight.set_clearance(1000), Status::kInvalidArgument);
+  EXPECT_EQ(Flight{}.set_clearance(1000), Status::kInvalidArgument);
+}
+
 TEST(FlightClearance, ABrakeForAThreatDoesNotAsk) {
   AskingInFlight room;
   const Vec3 ahead = room.position() + Vec3{2.5, 0.0, 0.0};

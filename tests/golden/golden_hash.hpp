@@ -19,6 +19,9 @@ constexpr std::uint64_t kGoldenFlightHash = 0x048d57bd601950e2u;
 constexpr std::uint64_t kGoldenFlightHash = 0x51b50ab08c595badu;
 #endif
 
+/// The same for the fleet of fleet_run.hpp. It reaches no capacity, so it is one for all profiles.
+constexpr std::uint64_t kGoldenFleetHash = 0xee9f82bd0b3d1b26u;
+
 }  // namespace tern_golden
 
 #endif

@@ -212,6 +212,7 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
     if (const std::uint32_t number = flight.proposal(proposed, takeover); number != 0) {
       recorder.answer(number, number % 3 != 0, flight.answer(number, number % 3 != 0));
     }
+    if (k == 60) recorder.set_clearance(100000000, flight.set_clearance(100000000));
     if (k == 110) recorder.land({0.3, 0, 0.2}, 0.1, 0.5, flight.land({0.3, 0, 0.2}, 0.1, 0.5));
     if (k == 150) recorder.stop(flight.stop());
   }

@@ -67,6 +67,7 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
           tern_flight_record_update_track(r, &a.track, kOk),
           tern_flight_record_forget_track(r, 0, kOk),
           tern_flight_record_answer(r, 1, true, kOk),
+          tern_flight_record_set_clearance(r, 1, kOk),
           tern_flight_record_tick(r, &a.flight, 0, &a.report, kOk)};
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/swarm/swarm_processes.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -63,6 +64,86 @@ TEST(Swarm, NobodyTouchesAnybodyOverBadLinks) {
     EXPECT_TRUE(result.contacts.empty()) << run;
     EXPECT_EQ(result.arrived(), 5) << run;
   }
+}
+
+// One packet in ten arrives: plans wait longer for their answers, and all arrive.
+TEST(Swarm, ArrivesWhereMostIsLost) {
+  SwarmSettings settings;
+  settings.links.loss = 0.9;
+  settings.links.delay_max = 0.1;
+  const SwarmResult result = fly("swap-4:1", settings);
+  EXPECT_EQ(result.arrived(), 4);
+  EXPECT_TRUE(result.contacts.empty());
+}
+
+// Vehicles begin anew in the fleet in the middle of everything: what was agreed to with them before is not flown.
+TEST(Swarm, NobodyTouchesAnybodyWhereMembersBeginAnew) {
+  SwarmSettings settings;
+  settings.restarts = 0.3;
+  settings.links.loss = 0.3;
+  settings.links.delay_max = 0.1;
+  for (int run = 0; run < tern_test::scaled(3); ++run) {
+    settings.seed = 70 + static_cast<std::uint64_t>(run);
+    const SwarmResult result = fly("swap-5:1", settings);
+    EXPECT_TRUE(result.contacts.empty()) << run;
+    EXPECT_EQ(result.arrived(), 5) << run;
+  }
+}
+
+// Seventy vehicles have more plans than a flight has room for: the swarm says so.
+TEST(Swarm, SaysWhichPlansAFlightHasNoRoomFor) {
+  SwarmWorld world = swarm_world("field-70:1");
+  world.time_limit = 0.6;
+  const SwarmResult result = fly_swarm(world, {});
+  EXPECT_GT(result.most_untold, 0);
+  EXPECT_TRUE(result.contacts.empty());
+}
+
+TEST(SwarmRecord, ReplaysToTheSameBits) {
+  SwarmSettings settings;
+  settings.links.loss = 0.3;
+  settings.links.delay_max = 0.1;
+  settings.clock_error = 0.01;
+  const SwarmWorld world = swarm_world("swap-3:1");
+  SwarmRecord record;
+  const SwarmResult flown = fly_swarm(world, settings, nullptr, &record);
+  EXPECT_EQ(flown.hash, fly_swarm(world, settings).hash) << "who records changes nothing";
+  const std::string bytes = write_swarm_record(record);
+  EXPECT_TRUE(is_swarm_record(bytes));
+  SwarmRecord read = read_swarm_record(bytes);
+  EXPECT_EQ(read.hash(), record.hash());
+  EXPECT_EQ(replay_swarm(read), "");
+  // Packets that did not come are noticed.
+  auto& ticks = read.vehicles[1].ticks;
+  for (std::size_t k = ticks.size() / 2; k < ticks.size(); ++k) ticks[k].heard.clear();
+  EXPECT_EQ(replay_swarm(read).find("vehicle 1 differs from "), 0u);
+}
+
+TEST(SwarmRecord, RefusesWhatIsNone) {
+  for (const std::string& bytes : {std::string(), std::string("no record"), std::string(100, '\xA1')}) {
+    EXPECT_FALSE(is_swarm_record(bytes));
+    EXPECT_THROW(read_swarm_record(bytes), std::runtime_error);
+  }
+}
+
+// Three processes with nothing in common but a clock and sockets. Where the computer is too busy for them, they may
+// rest at the end; they touch nobody anywhere, and their record replays.
+TEST(SwarmProcesses, TouchNobodyAndReplay) {
+  SwarmSettings settings;
+  settings.tick_hz = 20.0;
+  settings.late = 0.5;
+  settings.links.loss = 0.3;
+  settings.links.delay_max = 0.05;
+  settings.clock_error = 0.01;
+  SwarmWorld world = swarm_world("swap-3:1");
+  world.time_limit = 20.0;
+  SwarmRecord record;
+  const SwarmResult result = fly_swarm_in_processes(world, settings, record);
+  EXPECT_TRUE(result.contacts.empty());
+  EXPECT_EQ(result.disagreed, 0u);
+  EXPECT_GT(result.packets, 0u);
+  ASSERT_EQ(record.vehicles.size(), 3u);
+  EXPECT_EQ(replay_swarm(record), "");
 }
 
 // Nobody hears anybody: nobody moves.

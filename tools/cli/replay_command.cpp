@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cinttypes>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "host/page/page.hpp"
 #include "host/page/replayed_run.hpp"
 #include "host/replay.hpp"
+#include "host/swarm/swarm_record.hpp"
 #include "host/text_records.hpp"
 #include "tern/self_test.hpp"
 
@@ -57,6 +59,16 @@ int replay_flight(const ReplayOptions& options, const std::string& bytes) {
   return judge(replayed.difference, replayed.configuration);
 }
 
+int replay_swarm(const std::string& path, const std::string& bytes) {
+  const tern_host::SwarmRecord record = tern_host::read_swarm_record(bytes);
+  const std::string difference = tern_host::replay_swarm(record);
+  std::size_t ticks = 0;
+  for (const tern_host::SwarmRecord::Vehicle& vehicle : record.vehicles) ticks += vehicle.ticks.size();
+  std::printf("%s: %s, %zu ticks of %zu vehicles, %zu packets, hash %016" PRIx64, path.c_str(), record.world.c_str(),
+              ticks, record.vehicles.size(), record.packets.size(), record.hash());
+  return judge(difference, tern::kConfigurationHash);
+}
+
 int replay(const ReplayOptions& options) {
   const std::string& path = options.record;
   if (!options.html.empty()) tern_host::check_page(1);
@@ -64,7 +76,8 @@ int replay(const ReplayOptions& options) {
   try {
     const std::string bytes = tern_host::read_bytes(path, kMostBytes);
     if (tern_host::is_flight_record(bytes)) return replay_flight(options, bytes);
-    if (!options.html.empty()) throw std::runtime_error("--html shows recorded flights, and this is a query");
+    if (tern_host::is_swarm_record(bytes)) return replay_swarm(path, bytes);
+    if (!options.html.empty()) throw std::runtime_error("--html shows recorded flights, and this is none");
     return replay_plan(path, bytes);
   } catch (const tern_host::RecordError&) {
     throw;
@@ -77,11 +90,12 @@ int replay(const ReplayOptions& options) {
 
 void add_replay_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<ReplayOptions>();
-  CLI::App* const command =
-      app.add_subcommand("replay", "Plan a recorded query or fly a recorded flight again, and compare the bits");
+  CLI::App* const command = app.add_subcommand(
+      "replay", "Plan a recorded query or fly a recorded flight or swarm again, and compare the bits");
   command
       ->add_option("RECORD", options->record,
-                   "Record of `tern plan --record`, `tern fly --record`, tern_record_plan() or a tern_flight_recorder")
+                   "Record of `tern plan --record`, `tern fly --record`, `tern swarm --record`, tern_record_plan() or "
+                   "a tern_flight_recorder")
       ->required();
   command->add_option("--html", options->html, "A page of a recorded flight, to turn and play")->type_name("FILE");
   command->footer("Exit status 3 where the answer differs from the record's.");

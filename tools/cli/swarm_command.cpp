@@ -14,6 +14,7 @@
 #include "host/atomic_file.hpp"
 #include "host/swarm/swarm.hpp"
 #include "host/swarm/swarm_json.hpp"
+#include "host/swarm/swarm_processes.hpp"
 
 namespace tern_cli {
 namespace {
@@ -21,6 +22,8 @@ namespace {
 struct SwarmOptions {
   std::string world;
   std::string json;
+  std::string record;
+  bool processes = false;
   int runs = 1;
   std::vector<double> partition;
   tern_host::SwarmSettings settings;
@@ -53,6 +56,10 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
               result.most_fleet_units);
   std::printf("  %.1f s flown in %.1f s of processor time; hash %016" PRIx64 "\n", result.time, result.computed,
               result.hash);
+  if (result.most_untold > 0) {
+    std::printf("  up to %d plans of others were too many for a flight, which knew the nearest ones\n",
+                result.most_untold);
+  }
   for (std::size_t k = 0; k < result.members.size(); ++k) {
     const tern_host::SwarmMember& member = result.members[k];
     if (member.arrived < 0.0) std::printf("  vehicle %zu: %s\n", k, member.state.c_str());
@@ -66,7 +73,8 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
 }
 
 int fly(SwarmOptions& options) {
-  check_output_paths({}, {options.json});
+  check_output_paths({}, {options.json, options.record});
+  if (!options.record.empty() && options.runs > 1) throw std::runtime_error("--record takes one run");
   if (options.partition.size() == 2) options.settings.links.partition = {options.partition[0], options.partition[1]};
   bool all = true;
   std::string json;
@@ -74,9 +82,13 @@ int fly(SwarmOptions& options) {
     const tern_host::SwarmWorld world = tern_host::swarm_world(member_of(options.world, run));
     tern_host::SwarmSettings settings = options.settings;
     settings.seed += static_cast<std::uint64_t>(run);
-    const tern_host::SwarmResult result = tern_host::fly_swarm(world, settings, [&](double time, int arrived) {
+    tern_host::SwarmRecord record;
+    const auto progress = [&](double time, int arrived) {
       show_progress(world.name, time, arrived, world.tasks.size());
-    });
+    };
+    const tern_host::SwarmResult result =
+        options.processes ? tern_host::fly_swarm_in_processes(world, settings, record)
+                          : tern_host::fly_swarm(world, settings, progress, options.record.empty() ? nullptr : &record);
     if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K");
     print(world, result);
     std::fflush(stdout);
@@ -85,6 +97,7 @@ int fly(SwarmOptions& options) {
     all = all && result.disagreed == 0 && result.arrived() == static_cast<int>(world.tasks.size()) &&
           result.contacts.empty();
     if (!options.json.empty()) json += tern_host::swarm_json(world, settings, result);
+    if (!options.record.empty()) tern_host::write_file(options.record, tern_host::write_swarm_record(record));
   }
   if (!options.json.empty()) tern_host::write_files({{options.json, json}});
   return all ? kExitOk : kExitNoPlan;
@@ -117,15 +130,22 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
   command->add_option("--silent-from", s.links.silent_from, "From then on, s");
   command->add_option("--clock-error", s.clock_error, "By how much two clocks differ at most, s")
       ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--restarts", s.restarts, "How often each vehicle begins anew in its fleet, per second")
+      ->check(CLI::Range(0.0, 10.0));
   command->add_option("--send-hz", s.send_hz, "Rounds of packets a second")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command->add_option("--packet", s.packet_bytes, "Bytes of a packet at most")
       ->check(CLI::Range(27, 65507))
       ->capture_default_str();
-  command->add_option("--clearance", s.clearance, "How long plans wait for answers, s (default: from the links)")
+  command
+      ->add_option("--clearance", s.clearance, "How long plans wait for answers at least, s (default: from the links)")
       ->check(CLI::Range(0.0, 10.0));
   command->add_option("--json", options->json, "Write the result, one object a line, with all ways")->type_name("FILE");
+  command->add_flag("--processes", options->processes,
+                    "In real time: each vehicle in a process of its own, packets over UDP on the loopback interface");
+  command->add_option("--late", s.late, "By how much ticks may be late at most, s")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--record", options->record, "Record the swarm for `tern replay`")->type_name("FILE");
   command->callback([options, &exit_status] { exit_status = fly(*options); });
 }
 

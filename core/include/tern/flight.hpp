@@ -230,9 +230,13 @@ class Flight {
   uint32_t proposal(Trajectory& plan, int64_t& takeover) const noexcept;
   /// Answers that question. A plan that may be flown is proven once more, on the map as it is, then committed:
   /// proposal() is 0 from now on, and FlightReport::committed rises or, if that fails, FlightReport::failed or dropped.
-  /// Any other plan is dropped, the committed one stays, and the next one is asked for. kOk; kInvalidArgument if no
-  /// plan with this number waits.
+  /// Any other plan is dropped, the committed one stays, and the next one is asked for. The answer may be changed to
+  /// false until the plan takes over: then it is not flown, and FlightReport::dropped rises. kOk; kInvalidArgument if
+  /// no plan with this number waits.
   Status answer(uint32_t number, bool may_fly) noexcept;
+  /// Gives answers another time than FlightSpec::clearance did, from the next plan on. kOk; kInvalidArgument for a time
+  /// that is not above 0 and at most 10 s, for a flight whose plans need no clearance, or before start().
+  Status set_clearance(int64_t clearance) noexcept;
   /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, on the clock
   /// of tick(): a vehicle that rests there may be run into later. INT64_MAX if nothing comes within kRestHorizon, or
   /// before start(). Computes a proof: call it once a tick at most.

@@ -72,6 +72,7 @@ class FlightRecorder {
   Status update_track(const Track& track, Status answer) noexcept;
   Status forget_track(uint32_t id, Status answer) noexcept;
   Status answer(uint32_t number, bool may_fly, Status answer) noexcept;
+  Status set_clearance(int64_t clearance, Status answer) noexcept;
   /// Records a tick, with command(t) and yaw(t) of the flight as they are after it.
   Status tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept;
 

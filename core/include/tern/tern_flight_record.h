@@ -68,6 +68,7 @@ uint8_t tern_flight_record_set_clock(tern_flight_recorder* recorder, int64_t t, 
 uint8_t tern_flight_record_update_track(tern_flight_recorder* recorder, const tern_track* track, uint8_t answer);
 uint8_t tern_flight_record_forget_track(tern_flight_recorder* recorder, uint32_t id, uint8_t answer);
 uint8_t tern_flight_record_answer(tern_flight_recorder* recorder, uint32_t number, bool may_fly, uint8_t answer);
+uint8_t tern_flight_record_set_clearance(tern_flight_recorder* recorder, int64_t clearance, uint8_t answer);
 uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_flight* flight, int64_t t,
                                 const tern_flight_report* report, uint8_t answer);
 

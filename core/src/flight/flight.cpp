@@ -110,6 +110,10 @@ Status Flight::answer(uint32_t number, bool may_fly) noexcept {
   return state_ == nullptr ? Status::kInvalidArgument : state_->answer(number, may_fly);
 }
 
+Status Flight::set_clearance(int64_t clearance) noexcept {
+  return state_ == nullptr ? Status::kInvalidArgument : state_->set_clearance(clearance);
+}
+
 int64_t Flight::rest_clear_until() const noexcept {
   return state_ == nullptr ? INT64_MAX : state_->facts.rest_clear_until();
 }

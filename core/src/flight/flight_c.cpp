@@ -121,6 +121,10 @@ std::int64_t tern_flight_rest_clear_until(const tern_flight* flight) {
   return object(flight).rest_clear_until();
 }
 
+std::uint8_t tern_flight_set_clearance(tern_flight* flight, std::int64_t clearance) {
+  return code(object(flight).set_clearance(clearance));
+}
+
 std::uint8_t tern_flight_set_clock(tern_flight* flight, std::int64_t t) {
   return code(object(flight).set_clock(t));
 }

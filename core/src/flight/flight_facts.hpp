@@ -20,6 +20,9 @@
 
 namespace tern {
 
+/// Of a tick, and of the time for an answer, ns.
+constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
+
 /// Voxels that an aim keeps from the window's faces, besides the radius. An aim must also be nearer to the goal by more
 /// than this to count as nearer.
 constexpr double kAimVoxels = 2.0;

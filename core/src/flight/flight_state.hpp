@@ -69,6 +69,8 @@ class FlightState {
 
   // clearance.cpp: plans that wait until others agree to them
   Status answer(std::uint32_t number, bool may_fly) noexcept;
+  Status take_back() noexcept;
+  Status set_clearance(std::int64_t clearance) noexcept;
   void leave_question() noexcept;
   Progress run_renewal() noexcept;
 

@@ -24,8 +24,6 @@ constexpr double kMostNear = 2.5;
 
 /// Ranges of the spec's numbers.
 constexpr std::uint32_t kLeastWork = 256;
-/// Of a tick, and of the time for an answer.
-constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
 constexpr double kLeastYawRate = 1e-3;
 constexpr double kFullTurn = 6.2831853071795865;  // 2 pi, rounded up
 constexpr double kWidestVertical = 3.0;

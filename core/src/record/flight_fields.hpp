@@ -42,8 +42,9 @@ enum class FlightEventKind : std::uint8_t {
   kTrack,
   kForgetTrack,
   kAnswer,
+  kClearance,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kAnswer);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kClearance);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 

@@ -111,6 +111,12 @@ Status FlightRecorder::answer(uint32_t number, bool may_fly, Status answer) noex
   return event.end();
 }
 
+Status FlightRecorder::set_clearance(int64_t clearance, Status answer) noexcept {
+  Event event(*this, FlightEventKind::kClearance, answer);
+  event.words()(clearance);
+  return event.end();
+}
+
 Status FlightRecorder::tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept {
   Event event(*this, FlightEventKind::kTick, answer);
   if (!event.is_open()) return event.end();

@@ -173,6 +173,11 @@ std::uint8_t tern_flight_record_answer(tern_flight_recorder* recorder, std::uint
   return record(recorder, true, [=](FlightRecorder& r) { return r.answer(number, may_fly, status(answer)); });
 }
 
+std::uint8_t tern_flight_record_set_clearance(tern_flight_recorder* recorder, std::int64_t clearance,
+                                              std::uint8_t answer) {
+  return record(recorder, true, [=](FlightRecorder& r) { return r.set_clearance(clearance, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_flight* flight, std::int64_t t,
                                      const tern_flight_report* report, std::uint8_t answer) {
   return record(recorder, flight != nullptr && report != nullptr,

@@ -11,10 +11,11 @@
 namespace tern_host {
 namespace {
 
-constexpr const char* kEventNames[] = {
-    "none",      "bind", "assume_free",   "mark_box",      "mark_cylinder", "mark_points",  "frame",        "scan",
-    "follow",    "step", "start",         "set_goal",      "set_mission",   "set_yaw",      "stop",         "tick",
-    "set_clock", "scan", "note_position", "assume_column", "land",          "update_track", "forget_track", "answer"};
+constexpr const char* kEventNames[] = {"none",        "bind",         "assume_free",  "mark_box",      "mark_cylinder",
+                                       "mark_points", "frame",        "scan",         "follow",        "step",
+                                       "start",       "set_goal",     "set_mission",  "set_yaw",       "stop",
+                                       "tick",        "set_clock",    "scan",         "note_position", "assume_column",
+                                       "land",        "update_track", "forget_track", "answer",        "set_clearance"};
 
 }  // namespace
 

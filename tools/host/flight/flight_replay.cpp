@@ -89,6 +89,8 @@ class Player {
         return flight_.forget_track(read<std::uint32_t>(event));
       case FlightEventKind::kAnswer:
         return answer(event);
+      case FlightEventKind::kClearance:
+        return flight_.set_clearance(read<std::int64_t>(event));
     }
     return Status::kRecordDamaged;
   }

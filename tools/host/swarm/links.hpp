@@ -35,15 +35,26 @@ struct LinkSettings {
 
 using Packet = std::vector<std::uint8_t>;
 
+/// What carries packets between vehicles.
+class Carrier {
+ public:
+  Carrier() = default;
+  Carrier(const Carrier&) = delete;
+  Carrier& operator=(const Carrier&) = delete;
+  virtual ~Carrier() = default;
+  /// Vehicle `from` sends a packet to all others at `now`, ns.
+  virtual void send(int from, const Packet& packet, std::int64_t now) = 0;
+  /// What arrives at a vehicle up to `now`, in order of arrival.
+  virtual std::vector<Packet> receive(int to, std::int64_t now) = 0;
+};
+
 /// The links between all pairs. Equal seeds and calls give the same packets on every platform.
-class Links {
+class Links : public Carrier {
  public:
   Links(const LinkSettings& settings, int vehicles, std::uint64_t seed);
 
-  /// Vehicle `from` sends a packet to all others at `now`, ns.
-  void send(int from, const Packet& packet, std::int64_t now);
-  /// What arrives at a vehicle up to `now`, in order of arrival.
-  std::vector<Packet> receive(int to, std::int64_t now);
+  void send(int from, const Packet& packet, std::int64_t now) override;
+  std::vector<Packet> receive(int to, std::int64_t now) override;
 
   std::uint64_t sent() const { return sent_; }    ///< packets to one vehicle each
   std::uint64_t lost() const { return lost_; }    ///< of those

@@ -19,7 +19,7 @@ double processor_time() {
 
 class Swarm {
  public:
-  Swarm(const SwarmWorld& world, const SwarmSettings& settings)
+  Swarm(const SwarmWorld& world, const SwarmSettings& settings, SwarmRecord* record)
       : world_(world),
         settings_(settings),
         links_(settings.links, count(), settings.seed),
@@ -32,8 +32,13 @@ class Swarm {
     for (int k = 0; k < count(); ++k) {
       const auto offset = static_cast<std::int64_t>(1e9 * clocks.within(-half, half));
       vehicles_.push_back(std::make_unique<SwarmVehicle>(world, settings, k, 1000000000 + offset));
+      if (record != nullptr) record->vehicles.push_back({1000000000 + offset, {}});
     }
     result_.members.resize(vehicles_.size());
+    if (record == nullptr) return;
+    record->world = world.name;
+    record->settings = settings;
+    recording_ = std::make_unique<RecordingCarrier>(links_, *record);
   }
 
   SwarmResult fly(const std::function<void(double, int)>& progress) {
@@ -62,10 +67,12 @@ class Swarm {
   void tick(int k) {
     SwarmVehicle& vehicle = *vehicles_[static_cast<std::size_t>(k)];
     SwarmMember& member = result_.members[static_cast<std::size_t>(k)];
-    const SwarmTick did = vehicle.tick(now_, links_);
+    const SwarmTick did = recording_ ? vehicle.tick(now_, *recording_) : vehicle.tick(now_, links_);
+    if (recording_) recording_->end_tick(k, vehicle.at(now_).position);
     member.commits += did.committed ? 1 : 0;
     member.unasked += did.unasked ? 1 : 0;
     result_.disagreed += did.agrees ? 0 : 1;
+    result_.most_untold = std::max(result_.most_untold, did.untold);
     result_.most_fleet_units = std::max(result_.most_fleet_units, did.fleet_units);
     const double now = 1e-9 * static_cast<double>(now_);
     const double departed = world_.tasks[static_cast<std::size_t>(k)].depart;
@@ -121,6 +128,7 @@ class Swarm {
   const SwarmWorld& world_;
   const SwarmSettings& settings_;
   Links links_;
+  std::unique_ptr<RecordingCarrier> recording_;
   SwarmWatch watch_;
   std::vector<std::unique_ptr<SwarmVehicle>> vehicles_;
   SwarmResult result_;
@@ -147,8 +155,8 @@ double SwarmResult::mean_travel() const {
 }
 
 SwarmResult fly_swarm(const SwarmWorld& world, const SwarmSettings& settings,
-                      const std::function<void(double, int)>& progress) {
-  return std::make_unique<Swarm>(world, settings)->fly(progress);
+                      const std::function<void(double, int)>& progress, SwarmRecord* record) {
+  return std::make_unique<Swarm>(world, settings, record)->fly(progress);
 }
 
 }  // namespace tern_host

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/swarm/swarm_record.hpp"
 #include "host/swarm/swarm_vehicle.hpp"
 #include "host/swarm/swarm_watch.hpp"
 #include "host/swarm/swarm_world.hpp"
@@ -34,6 +35,7 @@ struct SwarmResult {
   std::uint64_t packets = 0, lost = 0, bytes = 0;
   std::uint32_t disagreed = 0;         ///< ticks at which a vehicle did not fly what its fleet said
   std::uint32_t most_fleet_units = 0;  ///< of a tick
+  int most_untold = 0;                 ///< others' plans that a flight has no room for, at a time
   std::uint64_t hash = 0;              ///< of all positions at all ticks
   /// Positions of all members, one row each `film_step` seconds.
   std::vector<std::vector<tern::Vec3>> film;
@@ -45,8 +47,9 @@ struct SwarmResult {
 };
 
 /// Flies until all have arrived, or the time limit. `progress` hears of the time, s, and how many arrived; may be null.
+/// `record`: is written if it is not null.
 SwarmResult fly_swarm(const SwarmWorld& world, const SwarmSettings& settings,
-                      const std::function<void(double, int)>& progress = nullptr);
+                      const std::function<void(double, int)>& progress = nullptr, SwarmRecord* record = nullptr);
 
 }  // namespace tern_host
 

@@ -66,6 +66,7 @@ std::string swarm_json(const SwarmWorld& world, const SwarmSettings& settings, c
                  {"bytes", result.bytes},
                  {"disagreed", result.disagreed},
                  {"fleet_units", result.most_fleet_units},
+                 {"untold", result.most_untold},
                  {"hash", hash},
                  {"members", members_json(result)},
                  {"film_step", result.film_step},

@@ -22,6 +22,9 @@ constexpr int kBeside = 2;
 /// The window does not slide if it reaches so far beyond the world, in voxels, besides the horizon.
 constexpr int kSlideRoom = 40;
 
+/// Plans wait no longer than that for answers, ns.
+constexpr std::int64_t kMostPatience = 6'000'000'000;
+
 /// Metres between what a vehicle flies and what its fleet says, at most: both are the same plan.
 constexpr double kAgree = 1e-9;
 
@@ -68,8 +71,7 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
       memory_(new tern::Workspace),
       planner_(memory_.get(), sizeof *memory_),
       fleet_(new tern::Fleet),
-      tracks_(tern::kMaxFlightTracks),
-      pieces_(tern::kMaxTrackPieces) {
+      restarts_(settings.seed + 1000 + static_cast<std::uint64_t>(number)) {
   const tern::MapSpec mapped = map_spec_of(world, settings);
   map_words_.resize(tern::map_words(mapped));
   const Status bound = map_.bind(mapped, map_words_.data(), map_words_.size());
@@ -85,13 +87,13 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
   spec_.horizon = world.horizon;
   spec_.near = 0.0;
   spec_.stale_after = 0;
-  spec_.clearance = nanoseconds(settings.clearance > 0.0
-                                    ? settings.clearance
-                                    : 2.0 * settings.links.delay_max + 2.0 / settings.send_hz + 3.0 / settings.tick_hz);
+  patience_ = least_patience();
+  spec_.clearance = patience_;
   flight_words_.resize(tern::flight_words(mapped.dims));
   const Status begun =
       flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), task.start, offset_);
   if (begun != Status::kOk) fail(world, number, "the flight cannot begin", begun);
+  traffic_.start(offset_, spec_.tick);
   begin_fleet(offset_);
 }
 
@@ -100,6 +102,7 @@ void SwarmVehicle::begin_fleet(std::int64_t time) {
   flight_.committed_plan(flown);
   if (flown.begin > time) return;  // until then, what the fleet says is true
   begins_anew_ = pending_ = false;
+  if (answered_) flight_.answer(asked_, false);  // what was agreed to does not count in the new incarnation
   forget_question();
   tern::FleetSpec spec;
   spec.id = static_cast<std::uint16_t>(number_);
@@ -107,7 +110,7 @@ void SwarmVehicle::begin_fleet(std::int64_t time) {
   spec.priority = world_.tasks[static_cast<std::size_t>(number_)].priority;
   spec.radius = world_.body_radius + settings_.tracking_margin;
   spec.clock_error = nanoseconds(settings_.clock_error);
-  spec.tick = spec_.tick;
+  spec.tick = std::max(spec_.tick, nanoseconds(settings_.late));
   spec.speed = 1.7320508 * world_.limits.v_max.x;
   const Status begun = fleet_->begin(spec, flown, time);
   if (begun != Status::kOk) fail(world_, number_, "the fleet cannot begin", begun);
@@ -118,44 +121,16 @@ void SwarmVehicle::begin_fleet(std::int64_t time) {
   }
 }
 
-/// A member numbers its plans anew in each.
-std::uint32_t SwarmVehicle::incarnation_of(std::uint32_t id) const {
-  for (std::int32_t k = 0; k < fleet_->neighbours(); ++k) {
-    const tern::Neighbour other = fleet_->neighbour(k);
-    if (other.id == id) return other.incarnation;
-  }
-  return 0;
+/// What an exchange takes if nothing is lost, ns.
+std::int64_t SwarmVehicle::least_patience() const {
+  if (settings_.clearance > 0.0) return nanoseconds(settings_.clearance);
+  return nanoseconds(2.0 * settings_.links.delay_max + 2.0 / settings_.send_hz + 3.0 / settings_.tick_hz);
 }
 
-/// Tells the flight of curves that are new, and of what is gone.
-void SwarmVehicle::take_traffic(std::int64_t time) {
-  std::int32_t count = 0;
-  fleet_->traffic(time, tracks_.data(), static_cast<std::int32_t>(tracks_.size()), pieces_.data(),
-                  static_cast<std::int32_t>(pieces_.size()), count);
-  std::vector<std::uint64_t> known;
-  for (std::int32_t k = 0; k < count; ++k) {
-    tern::Track& track = tracks_[static_cast<std::size_t>(k)];
-    // A member's second track is of the plan that it announced.
-    const bool is_second = k > 0 && tracks_[static_cast<std::size_t>(k) - 1].id == 2 * track.id;
-    track.id = 2 * track.id + (is_second ? 1 : 0);
-    known.push_back(track.id);
-    known.push_back((std::uint64_t{incarnation_of(track.id / 2)} << 32) + track.kind + 1);
-  }
-  for (std::size_t k = 0; k < known_.size(); k += 2) {
-    bool stays = false;
-    for (std::size_t n = 0; n < known.size(); n += 2) stays = stays || known[n] == known_[k];
-    if (!stays) flight_.forget_track(static_cast<std::uint32_t>(known_[k]));
-  }
-  for (std::size_t n = 0; n < known.size(); n += 2) {
-    bool is_known = false;
-    for (std::size_t k = 0; k < known_.size(); k += 2) {
-      is_known = is_known || (known_[k] == known[n] && known_[k + 1] == known[n + 1]);
-    }
-    if (is_known) continue;
-    flight_.forget_track(static_cast<std::uint32_t>(known[n]));
-    if (flight_.update_track(tracks_[n / 2]) != Status::kOk) known[n + 1] = 0;  // told again in the next tick
-  }
-  known_ = known;
+/// Plans wait half as long again as the answers to the last ones took, and twice as long if those waited in vain.
+void SwarmVehicle::set_patience(std::int64_t patience) {
+  patience_ = std::min(std::max(patience, least_patience()), std::max(kMostPatience, least_patience()));
+  flight_.set_clearance(patience_);
 }
 
 /// Asks the fleet about the plan that the flight proposes.
@@ -164,8 +139,13 @@ void SwarmVehicle::announce(std::int64_t time) {
   std::int64_t takeover = 0;
   const std::uint32_t question = flight_.proposal(plan, takeover);
   if (question == asked_ || answered_ || pending_ || begins_anew_) return;
-  if (asked_ != 0) fleet_->withdraw(time);
+  if (asked_ != 0) {
+    fleet_->withdraw(time);
+    const bool was_late = time + 2 * spec_.tick >= takeover_;
+    if (was_late) set_patience(2 * patience_);
+  }
   asked_ = question;
+  asked_at_ = time;
   if (question == 0) return;
   proposed_ = plan;
   takeover_ = takeover;
@@ -183,19 +163,23 @@ void SwarmVehicle::hear_answer(std::int64_t time) {
     asked_ = 0;
   } else if (fleet.cleared) {
     answered_ = flight_.answer(asked_, true) == Status::kOk;
+    set_patience(patience_ - (patience_ - 3 * (time - asked_at_) / 2) / 4);
     if (!answered_) fleet_->withdraw(time);
     if (!answered_) asked_ = 0;
   }
 }
 
-void SwarmVehicle::send(std::int64_t now, Links& links) {
-  if (now < next_round_) return;
+void SwarmVehicle::send(std::int64_t now, Carrier& carrier) {
+  // Where answers take long, because much is lost, a vehicle that waits for them sends in every tick.
+  const bool hurries =
+      2 * patience_ > 3 * least_patience() && fleet_->report().announcement == tern::Announcement::kOpen;
+  if (now < next_round_ && !hurries) return;
   next_round_ = now + nanoseconds(1.0 / settings_.send_hz);
   Packet packet(static_cast<std::size_t>(settings_.packet_bytes));
   for (int k = 0; k < 1000; ++k) {
     const std::int32_t size = fleet_->write(packet.data(), settings_.packet_bytes);
     if (size <= 0) return;
-    links.send(number_, Packet(packet.begin(), packet.begin() + size), now);
+    carrier.send(number_, Packet(packet.begin(), packet.begin() + size), now);
   }
 }
 
@@ -234,8 +218,10 @@ void SwarmVehicle::advance_fleet(std::int64_t time, SwarmTick& did) {
   did.fleet_units = settings_.fleet_work - std::min(settings_.fleet_work, work.units());
   if (!pending_) return;
   const tern::Announcement now = fleet_->report().announcement;
-  begins_anew_ = now == tern::Announcement::kDropped || now == tern::Announcement::kNone;
-  pending_ = now != tern::Announcement::kTaken && !begins_anew_;
+  const bool is_void = now == tern::Announcement::kDropped || now == tern::Announcement::kNone;
+  pending_ = now != tern::Announcement::kTaken && !is_void;
+  // Until its takeover, what is void because a member began anew need not be flown.
+  if (is_void && (time >= takeover_ || flight_.answer(cleared_, false) != Status::kOk)) begins_anew_ = true;
 }
 
 /// Ticks the flight, and tells the fleet what it did.
@@ -248,6 +234,7 @@ void SwarmVehicle::advance_flight(std::int64_t time, SwarmTick& did) {
   did.unasked = did.committed && !is_ours;
   if (is_ours) {
     pending_ = true;
+    cleared_ = asked_;
     forget_question();
   } else if (did.unasked || (answered_ && report_.failed + report_.dropped > ended)) {
     fleet_->withdraw(time);
@@ -255,17 +242,18 @@ void SwarmVehicle::advance_flight(std::int64_t time, SwarmTick& did) {
     pending_ = false;
   }
   begins_anew_ = begins_anew_ || did.unasked;
+  if (settings_.restarts > 0.0 && restarts_.chance(settings_.restarts / settings_.tick_hz)) begins_anew_ = true;
   if (begins_anew_) begin_fleet(time);
 }
 
-SwarmTick SwarmVehicle::tick(std::int64_t now, Links& links) {
+SwarmTick SwarmVehicle::tick(std::int64_t now, Carrier& carrier) {
   const std::int64_t time = now + offset_;
   SwarmTick did;
-  for (const Packet& packet : links.receive(number_, now)) {
+  for (const Packet& packet : carrier.receive(number_, now)) {
     fleet_->receive(packet.data(), static_cast<std::int32_t>(packet.size()), time);
   }
   advance_fleet(time, did);
-  take_traffic(time);
+  did.untold = traffic_.tell(*fleet_, flight_, flight_.command(time).sample.position, time);
   hear_answer(time);
   const SwarmTask& task = world_.tasks[static_cast<std::size_t>(number_)];
   if (!has_mission_ && 1e-9 * static_cast<double>(now) >= task.depart) {
@@ -275,7 +263,7 @@ SwarmTick SwarmVehicle::tick(std::int64_t now, Links& links) {
   advance_flight(time, did);
   did.agrees = agrees(time);
   announce(time);
-  send(now, links);
+  send(now, carrier);
   return did;
 }
 

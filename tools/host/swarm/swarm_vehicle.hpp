@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/swarm/links.hpp"
+#include "host/swarm/swarm_traffic.hpp"
 #include "host/swarm/swarm_world.hpp"
 #include "tern/fleet.hpp"
 #include "tern/flight.hpp"
@@ -20,10 +21,12 @@ struct SwarmSettings {
   LinkSettings links;
   std::uint64_t seed = 1;  ///< of links and clocks
   double tick_hz = 50.0;
+  double late = 0.0;         ///< s that ticks may be late, at most
   double send_hz = 20.0;     ///< rounds of packets that each vehicle sends
   int packet_bytes = 1400;   ///< the largest packet
   double clock_error = 0.0;  ///< s: clocks are off by up to half of it
-  double clearance = 0.0;    ///< s that a plan waits for answers; 0: from the delays of the links
+  double restarts = 0.0;     ///< how often each vehicle begins anew in its fleet, per second
+  double clearance = 0.0;    ///< s that a plan waits for answers at least; 0: from the delays of the links
   double tracking_margin = 0.02;
   std::uint32_t work_per_tick = 16000;
   std::uint32_t fleet_work = 500;  ///< units a tick
@@ -35,6 +38,7 @@ struct SwarmTick {
   bool unasked = false;           ///< it committed a plan that was not cleared: a brake
   bool agrees = true;             ///< it flies what the fleet says that it flies, but for a brake without agreement
   std::uint32_t fleet_units = 0;  ///< that Fleet::advance() took
+  int untold = 0;                 ///< others' plans that the flight has no room for
 };
 
 class SwarmVehicle {
@@ -42,7 +46,7 @@ class SwarmVehicle {
   SwarmVehicle(const SwarmWorld& world, const SwarmSettings& settings, int number, std::int64_t clock_offset);
 
   /// Takes packets, ticks, and sends; `now` is true time, ns.
-  SwarmTick tick(std::int64_t now, Links& links);
+  SwarmTick tick(std::int64_t now, Carrier& carrier);
   /// Where it is at a time that is not before its last tick.
   tern::Sample at(std::int64_t now) const { return flight_.command(now + offset_).sample; }
   bool has_arrived() const { return report_.reason == tern::FlightReason::kArrived; }
@@ -53,16 +57,16 @@ class SwarmVehicle {
 
  private:
   void begin_fleet(std::int64_t time);
-  std::uint32_t incarnation_of(std::uint32_t id) const;
-  void take_traffic(std::int64_t time);
   bool follows_proposed() const;
   void forget_question();
+  std::int64_t least_patience() const;
+  void set_patience(std::int64_t patience);
   bool agrees(std::int64_t time) const;
   void advance_fleet(std::int64_t time, SwarmTick& did);
   void advance_flight(std::int64_t time, SwarmTick& did);
   void announce(std::int64_t time);
   void hear_answer(std::int64_t time);
-  void send(std::int64_t now, Links& links);
+  void send(std::int64_t now, Carrier& carrier);
 
   const SwarmWorld& world_;
   const SwarmSettings& settings_;
@@ -75,19 +79,21 @@ class SwarmVehicle {
   tern::FlightSpec spec_{};
   tern::Flight flight_;
   std::unique_ptr<tern::Fleet> fleet_;
+  Noise restarts_;
   tern::FlightReport report_{};
   bool has_mission_ = false;
   std::uint32_t incarnation_ = 0;
   std::uint32_t asked_ = 0;      ///< the flight's question that the fleet was asked; 0: none
   bool answered_ = false;        ///< the flight was told that it may fly
+  std::int64_t asked_at_ = 0;    ///< when
+  std::int64_t patience_ = 0;    ///< how long plans wait for answers, ns
+  std::uint32_t cleared_ = 0;    ///< the last question after which the flight committed its plan
   std::int64_t takeover_ = 0;    ///< of the plan that the fleet was asked about
   tern::Trajectory proposed_{};  ///< that plan
   bool pending_ = false;         ///< the flight committed it, and the fleet is yet to take it over
   bool begins_anew_ = false;     ///< the flight committed what the fleet did not agree to
   std::int64_t next_round_ = 0;
-  std::vector<tern::Track> tracks_;
-  std::vector<tern::TrackPiece> pieces_;
-  std::vector<std::uint64_t> known_;  ///< of each track that the flight has: its id, and whose plan it is
+  SwarmTraffic traffic_;
 };
 
 }  // namespace tern_host

@@ -1,0 +1,47 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a fleet to a flight: the plans that others fly or may fly, each told once.
+#ifndef TERN_HOST_SWARM_SWARM_TRAFFIC_HPP
+#define TERN_HOST_SWARM_SWARM_TRAFFIC_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "tern/fleet.hpp"
+#include "tern/flight.hpp"
+
+namespace tern_host {
+
+class SwarmTraffic {
+ public:
+  /// `begin`: of the flight, ns; `tick`: FlightSpec::tick.
+  void start(std::int64_t begin, std::int64_t tick) {
+    last_tick_ = begin;
+    tick_ = tick;
+  }
+  /// Before a tick of the flight at `time`, tells it of plans that are new, and of what is gone. Returns how many plans
+  /// the flight has no room for: if not all fit, it gets those nearest to `place`.
+  int tell(const tern::Fleet& fleet, tern::Flight& flight, const tern::Vec3& place, std::int64_t time);
+
+ private:
+  /// A plan that the flight is told of: its track, and which plan of which incarnation it is.
+  struct Told {
+    const tern::Track* track;
+    std::uint64_t plan;
+  };
+  void ask(const tern::Fleet& fleet, std::int64_t time);
+  std::map<std::uint32_t, Told> choose(const tern::Fleet& fleet, const tern::Vec3& place) const;
+
+  std::vector<tern::Track> tracks_;
+  std::vector<tern::TrackPiece> pieces_ = std::vector<tern::TrackPiece>(64);
+  std::int32_t count_ = 0;
+  std::int64_t last_tick_ = 0, tick_ = 0;
+  std::map<std::uint32_t, std::uint64_t> known_;  ///< plans that the flight has, by the track's id
+};
+
+}  // namespace tern_host
+
+#endif
