@@ -58,6 +58,7 @@ struct PathQuery {
   bool start_moves = false;
   bool goal_moves = false;
   tern::SearchMode search = tern::SearchMode::kOptimal;
+  bool few_legs = false;
 };
 
 /// Runs the search stage and the shortcut stage in memory that starts as garbage.
@@ -84,7 +85,7 @@ class PathRunner {
     };
     if (run_in_slices(search, slice) == tern::Progress::kFailed) return search_->status;
     last_ = tern::Stage::kShortcut;
-    tern::shortcut_begin(*shortcut_, grid, *path_);
+    tern::shortcut_begin(*shortcut_, grid, *path_, query.few_legs);
     const auto shorten = [&](tern::Work& work) { return tern::shortcut_advance(*shortcut_, grid, work, *path_); };
     return run_in_slices(shorten, slice) == tern::Progress::kFailed ? shortcut_->status : tern::Status::kOk;
   }

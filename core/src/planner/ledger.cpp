@@ -31,14 +31,14 @@ Times times_of(const Problem& problem) {
 }
 
 /// How often a stage may run.
-std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searched_again) {
+std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t remade) {
   const Times times = times_of(problem);
   switch (stage) {
     case Stage::kSearch:
     case Stage::kShortcut:
-      return std::uint64_t{times.searches + searched_again} * static_cast<std::uint64_t>(problem.via_count + 1);
+      return std::uint64_t{times.searches + remade} * static_cast<std::uint64_t>(problem.via_count + 1);
     case Stage::kCorridor:
-      return times.corridors + searched_again + (problem.thing_count > 0 ? kTimedSeeds * times.corridors : 0);
+      return times.corridors + remade + (problem.thing_count > 0 ? kTimedSeeds * times.corridors : 0);
     case Stage::kTimes:
     case Stage::kTrajectory:
       return std::uint64_t{times.seeds} * (times.corridors + times.goals);
@@ -98,7 +98,7 @@ void Ledger::clear(const Clock& clock) noexcept {
   timed_ = clock.now != nullptr;
 }
 
-void Ledger::count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept {
+void Ledger::count(Stage stage, Operations operations, const Problem& problem, std::uint32_t remade) noexcept {
   Operations& spent = spent_[static_cast<int>(stage)];
   spent += operations;
   StageReport& entry = stages_[static_cast<int>(stage)];
@@ -106,9 +106,9 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   if (is_bound_) return;
   is_bound_ = true;
   const StageBound bound = stage_bound(stage, problem.grid->spec());
-  entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
+  entry.bound = bound.units(runs_of(stage, problem, remade));
   if (stage == Stage::kTrajectory) {
-    entry.bound += around_bound(problem.thing_count).units(runs_of(stage, problem, searched_again ? 1 : 0));
+    entry.bound += around_bound(problem.thing_count).units(runs_of(stage, problem, remade));
   }
   if (stage == Stage::kCheck) entry.bound += tracks_bound(problem.track_count).units(times_of(problem).checks);
   if (stage == Stage::kTracks)

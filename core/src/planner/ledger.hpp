@@ -60,8 +60,9 @@ class Ledger {
   /// A run of a stage begins.
   void enter() noexcept { is_bound_ = false; }
   void begin_slice() noexcept { slice_begin_ = clock_.ticks(); }
-  /// The slice took these operations for the stage. The first slice of a run makes the stage's bound.
-  void count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept;
+  /// The slice took these operations for the stage. The first slice of a run makes the stage's bound. The way has been
+  /// made anew at most `remade` times.
+  void count(Stage stage, Operations operations, const Problem& problem, std::uint32_t remade) noexcept;
   void end_slice(Stage stage) noexcept;
 
   Operations spent(Stage stage) const noexcept { return spent_[static_cast<int>(stage)]; }

@@ -88,7 +88,7 @@ Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs
   const SearchQuery query{leg_begin(problem, ends, legs),
                           is_last_leg(problem, legs) ? ends.goal_in_grid : leg_target(problem, legs),
                           legs.leg == 0 && !at_rest(ends.start), is_last_leg(problem, legs) && !at_rest(ends.goal),
-                          legs.searched_again ? SearchMode::kOptimal : problem.asked.search};
+                          legs.choice == WayChoice::kAsked ? problem.asked.search : SearchMode::kOptimal};
   search_begin(stage, world_of(problem), query);
   return join_operations(stage.start) + join_operations(stage.goal);
 }
@@ -111,8 +111,8 @@ void leg_search_stop(const Problem& problem, SearchStage& stage, Legs& legs) noe
   note_failure(problem, stage, legs);
 }
 
-void leg_shortcut_begin(const Problem& problem, WayMemory way, ShortcutStage& stage) noexcept {
-  shortcut_begin(stage, voxels_of(problem), path_of_leg(problem, way));
+void leg_shortcut_begin(const Problem& problem, const Legs& legs, WayMemory way, ShortcutStage& stage) noexcept {
+  shortcut_begin(stage, voxels_of(problem), path_of_leg(problem, way), legs.choice == WayChoice::kFewLegs);
 }
 
 Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,
@@ -124,9 +124,10 @@ Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs
   return conclude(progress == Progress::kFailed ? stage.status : join_leg(problem, legs, way), legs.status);
 }
 
-bool search_again(Status why, Legs& legs) noexcept {
-  if (why != Status::kSegmentsFull || legs.search_used != SearchUsed::kGuided) return false;
-  legs.searched_again = true;
+bool choose_again(Status why, Legs& legs) noexcept {
+  if (why != Status::kSegmentsFull || legs.choice == WayChoice::kFewLegs) return false;
+  const bool is_guided = legs.choice == WayChoice::kAsked && legs.search_used == SearchUsed::kGuided;
+  legs.choice = is_guided ? WayChoice::kCheapest : WayChoice::kFewLegs;
   return true;
 }
 

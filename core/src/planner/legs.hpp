@@ -29,11 +29,18 @@ struct EndFault {
   std::int32_t solid;  ///< the solid or wall that blocks such an end's voxel, if obstacles leave it free; else kNoSolid
 };
 
+/// How the way is made. A way that needs more segments than fit is made anew by the next choice.
+enum class WayChoice : std::uint8_t {
+  kAsked,     ///< by the search that the request asks for
+  kCheapest,  ///< by the optimal search: a cheapest path often needs fewer segments
+  kFewLegs,   ///< by the optimal search, and merging waypoints (path/merge.hpp)
+};
+
 struct Legs {
-  std::int32_t leg;     ///< the current one, which leads to the via of this index, or to the goal
-  bool searched_again;  ///< the optimal search followed a fast path that needed too many segments
-  Status status;        ///< why the search or the shortcut failed, as a status of the plan; else kOk
-  std::int32_t via;     ///< the via that the leg could not leave, or leads to; kNoVia: start or goal
+  std::int32_t leg;  ///< the current one, which leads to the via of this index, or to the goal
+  WayChoice choice;
+  Status status;     ///< why the search or the shortcut failed, as a status of the plan; else kOk
+  std::int32_t via;  ///< the via that the leg could not leave, or leads to; kNoVia: start or goal
   EndFault fault;
   // Figures for the report.
   std::int32_t nodes_high;
@@ -67,13 +74,12 @@ Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& le
 void leg_search_stop(const Problem& problem, SearchStage& stage, Legs& legs) noexcept;
 
 /// Shortens the current leg and appends it to the path. If that fails, legs.status and via say why.
-void leg_shortcut_begin(const Problem& problem, WayMemory way, ShortcutStage& stage) noexcept;
+void leg_shortcut_begin(const Problem& problem, const Legs& legs, WayMemory way, ShortcutStage& stage) noexcept;
 Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,
                               Work& work) noexcept;
 
-/// True if the optimal search should make the way anew, which happens once: a fast path may need more segments than
-/// fit, and a cheapest path often needs fewer.
-bool search_again(Status why, Legs& legs) noexcept;
+/// True if the way should be made anew by the next choice, because it needs more segments than fit.
+bool choose_again(Status why, Legs& legs) noexcept;
 
 }  // namespace tern
 

@@ -100,7 +100,7 @@ void Pipeline::go_on(bool done) noexcept {
 }
 
 void Pipeline::go_on_from_shortcut(bool done) noexcept {
-  if (!done) return search_again(legs_.status, legs_) ? begin_way() : fail(Stage::kShortcut, legs_.status);
+  if (!done) return choose_again(legs_.status, legs_) ? begin_way() : fail(Stage::kShortcut, legs_.status);
   results_.path = is_last_leg(problem_, legs_);
   if (!results_.path) {
     ++legs_.leg;
@@ -117,7 +117,7 @@ void Pipeline::go_on_from_corridor(bool done) noexcept {
   if (done) return enter(Stage::kTimes);
   // If the detour has no corridor, the plan still fails because the path's own corridor has no trajectory.
   if (attempts_.current == Attempt::kDetour) return fail(Stage::kTrajectory, attempts_.detour.without);
-  const bool again = attempts_.current == Attempt::kDirect && search_again(rooms_.status, legs_);
+  const bool again = attempts_.current == Attempt::kDirect && choose_again(rooms_.status, legs_);
   again ? begin_way() : fail(Stage::kCorridor, rooms_.status);
 }
 

@@ -155,7 +155,7 @@ Progress Pipeline::advance(Work& work) noexcept {
   Share slice(work, left);
   Progress progress = run(slice.part);
   if (progress == Progress::kMore && is_full(slice.spent() >= left)) progress = end_for_budget(slice.part);
-  ledger_.count(stage, slice.spent(), problem_, legs_.searched_again);
+  ledger_.count(stage, slice.spent(), problem_, static_cast<std::uint32_t>(legs_.choice));
   if (progress != Progress::kMore) go_on(progress == Progress::kDone);
   ledger_.end_slice(stage);
   return progress;
@@ -171,7 +171,7 @@ void Pipeline::enter(Stage stage) noexcept {
       begun_ += leg_search_begin(problem_, m.ends, legs_, m.stage.search);
       return;
     case Stage::kShortcut:
-      return leg_shortcut_begin(problem_, way_of(m), m.stage.shortcut);
+      return leg_shortcut_begin(problem_, legs_, way_of(m), m.stage.shortcut);
     case Stage::kCorridor:
       return corridor_begin(m.stage.corridor, m.path, &m.vias.marks);
     case Stage::kTimes:
