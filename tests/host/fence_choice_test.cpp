@@ -59,7 +59,7 @@ Scenario random_zones(Random& random, int count) {
 
 TEST(FenceChoice, PlansKeepClearOfHundredsOfZones) {
   Random random(107);
-  const int cases = tern_test::scaled(10);
+  const int cases = tern_test::scaled(4);
   tern_host::Session session;
   for (int c = 0; c < cases; ++c) {
     const Scenario scenario = random_zones(random, 500);
@@ -117,7 +117,7 @@ double broken_at(const PlanResult& result) {
 
 TEST(FenceChoice, ClosesWhatLeavesNoClearTime) {
   Random random(110);
-  const int cases = tern_test::scaled(10);
+  const int cases = tern_test::scaled(3);
   tern_host::Session session;
   for (int c = 0; c < cases; ++c) {
     Scenario scenario = random_zones(random, 500);

@@ -104,6 +104,20 @@ TEST(Replan, GoesAroundWhereThatIsShortest) {
   EXPECT_LT(best->arrival, all[0].arrival + 30.0);
 }
 
+TEST(Replan, GoesAroundLaterWhereThatIsShortest) {
+  // The start is closed for a minute, and the straight way for long.
+  UtmEntity whole = wall(-500, 500, 300, 600, 0, 60);
+  whole.id = "whole";
+  const std::vector<Proposal> all = propose(flight("0 -300 50", "0 300 50"), {whole, wall(-100, 20, 300, 600, 0, 550)});
+  const Proposal* const best = best_of(all);
+  ASSERT_NE(best, nullptr) << proposals_text(all);
+  EXPECT_TRUE(best->remedy == Remedy::kDetour || best->remedy == Remedy::kLevel);
+  EXPECT_GT(best->result.scenario.start_time, 10.0);
+  EXPECT_LT(best->result.scenario.start_time, 90.0);
+  EXPECT_TRUE(all[1].free) << "a delay alone would do as well";
+  EXPECT_GT(all[1].arrival, best->arrival + 300.0);
+}
+
 TEST(Replan, SaysThatNothingHelps) {
   // A wall without end in time, from the ground to beyond the boundary.
   const std::vector<Proposal> all = propose(flight("-300 0 50", "300 0 50"), {wall(-500, 500, 300, 600, 0, 5000)});

@@ -3,6 +3,8 @@
 #include "host/intent/replan.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "host/intent/others_fences.hpp"
 #include "host/number.hpp"
@@ -13,6 +15,7 @@ namespace {
 
 /// Later than touching, s.
 constexpr double kMargin = 1e-3;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Plans the scenario in one way after the other.
 class Replan {
@@ -27,8 +30,9 @@ class Replan {
     out.push_back(propose(Remedy::kNone, scenario_, conflicts));
     if (out[0].free || !out[0].result.ok()) return out;
     out.push_back(later(out[0].intent, conflicts));
-    out.push_back(around(Remedy::kLevel, FenceHeights::kAsTheyAre, conflicts));
-    out.push_back(around(Remedy::kDetour, FenceHeights::kAll, conflicts));
+    const double sooner_than = out[1].free ? out[1].arrival : kInfinity;
+    out.push_back(around_or_later(Remedy::kLevel, FenceHeights::kAsTheyAre, out[0].intent, conflicts, sooner_than));
+    out.push_back(around_or_later(Remedy::kDetour, FenceHeights::kAll, out[0].intent, conflicts, sooner_than));
     return out;
   }
 
@@ -57,23 +61,30 @@ class Replan {
     return others_[first->other].id;
   }
 
-  /// By how much later the flight must be for these conflicts to end, s. Each of its volumes must begin after the one
-  /// that it meets has ended.
-  double wait_for(const UtmEntity& intent, const std::vector<Conflict>& conflicts) const {
-    Instant wait = 0;
+  /// By how much later the flight must be for the first and for the last of these conflicts to end, s: a volume must
+  /// begin after the one that it meets has ended.
+  struct Waits {
+    double first = kInfinity;
+    double last = 0.0;
+  };
+  Waits waits_of(const UtmEntity& intent, const std::vector<Conflict>& conflicts) const {
+    Waits waits;
     for (const Conflict& c : conflicts) {
       if (!c.binding) continue;
       const Instant end = span_of(others_[c.other].volumes[c.other_volume]).until;
-      wait = std::max(wait, end - span_of(intent.volumes[c.volume]).from);
+      const Instant wait = end - span_of(intent.volumes[c.volume]).from;
+      const double seconds = static_cast<double>(wait) / static_cast<double>(kSecond) + kMargin;
+      waits.first = std::min(waits.first, seconds);
+      waits.last = std::max(waits.last, seconds);
     }
-    return static_cast<double>(wait) / static_cast<double>(kSecond) + kMargin;
+    return waits;
   }
 
   /// The least delay: conflicts with a volume end only once that volume has ended, however the flight goes on.
   Proposal later(UtmEntity intent, std::vector<Conflict> conflicts) {
     Scenario scenario = scenario_;
     for (;;) {
-      scenario.start_time += wait_for(intent, conflicts);
+      scenario.start_time += waits_of(intent, conflicts).last;
       if (scenario.start_time - scenario_.start_time > settings_.longest_delay) {
         Proposal none;
         none.remedy = Remedy::kDelay;
@@ -87,22 +98,39 @@ class Replan {
     }
   }
 
+  /// At once, or else when a volume that the flight as asked would meet has ended, one after the other.
+  Proposal around_or_later(Remedy remedy, FenceHeights heights, UtmEntity intent, std::vector<Conflict> conflicts,
+                           double sooner_than) {
+    Scenario scenario = scenario_;
+    Proposal at_once = around(remedy, heights, scenario, conflicts);
+    while (!at_once.free) {
+      scenario.start_time += waits_of(intent, conflicts).first;
+      const bool in_time = scenario.start_time - scenario_.start_time <= settings_.longest_delay;
+      if (!in_time || scenario.start_time >= sooner_than) break;
+      Proposal direct = propose(Remedy::kDelay, scenario, conflicts);
+      if (direct.free || !direct.result.ok()) break;
+      intent = std::move(direct.intent);
+      Proposal later = around(remedy, heights, scenario, conflicts);
+      if (later.free) return later;
+    }
+    return at_once;
+  }
+
   /// Among all volumes while they hold; where no such plan is found, among those that plans met, closed at all times.
-  Proposal around(Remedy remedy, FenceHeights heights, std::vector<Conflict> conflicts) {
+  Proposal around(Remedy remedy, FenceHeights heights, const Scenario& scenario, std::vector<Conflict> conflicts) {
     std::vector<Conflict> left;
-    Proposal timed = propose(remedy, among(others_, heights, true), left);
+    Proposal timed = propose(remedy, among(others_, scenario, heights, true), left);
     if (timed.free) return timed;
     std::vector<UtmEntity> met;
     for (;;) {
       if (!add_met(conflicts, met)) return timed;
-      Proposal closed = propose(remedy, among(met, heights, false), conflicts);
+      Proposal closed = propose(remedy, among(met, scenario, heights, false), conflicts);
       if (closed.free) return closed;
       if (!closed.result.ok()) return timed;
     }
   }
 
-  Scenario among(const std::vector<UtmEntity>& others, FenceHeights heights, bool timed) const {
-    Scenario scenario = scenario_;
+  Scenario among(const std::vector<UtmEntity>& others, Scenario scenario, FenceHeights heights, bool timed) const {
     scenario.rest_clear = std::max(scenario.rest_clear, settings_.rest);
     const OwnFlight own{scenario.boundary, scenario.clearance(), like_.priority, like_.id};
     for (FenceRecord& fence : others_fences(others, own, frame_, settings_.tube, heights)) {

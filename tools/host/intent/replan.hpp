@@ -18,6 +18,7 @@ enum class Remedy {
   kDelay,   ///< the same flight later
   kLevel,   ///< others' volumes are closed at their heights: over or under them, or around if that is shorter
   kDetour,  ///< others' volumes are closed at all heights: around them
+            ///< Both are tried later as well, where they don't help at once and a delay alone would take longer.
 };
 const char* remedy_name(Remedy remedy);
 
