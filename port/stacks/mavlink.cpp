@@ -1,15 +1,13 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mavlink_frame.hpp"
 #include "tern_stacks/stacks.hpp"
 
 namespace tern {
 namespace {
 
-constexpr uint32_t kMessage = 84;
-constexpr uint8_t kCrcExtra = 143;
-constexpr uint8_t kMagic = 0xFD;
-constexpr int kHeader = 10;
-constexpr int kPayload = 53;
+constexpr MavlinkMessage kSetpoint{84, 143};
+constexpr int32_t kPayload = 53;
 constexpr uint8_t kLocalNed = 1;
 // The type mask's bits, each of which says that a field is to be ignored. Bit 9 says that accelerations are forces.
 constexpr int kYawBit = 10;
@@ -50,8 +48,32 @@ uint16_t accumulate(uint16_t crc, uint8_t byte) {
 
 }  // namespace
 
+uint16_t mavlink_checksum(const uint8_t* frame, int32_t payload, const MavlinkMessage& message) noexcept {
+  uint16_t crc = 0xFFFF;
+  for (int32_t i = 1; i < kMavlinkHeadBytes + payload; ++i) crc = accumulate(crc, frame[i]);
+  return accumulate(crc, message.crc_extra);
+}
+
+int32_t complete_mavlink_frame(const MavlinkMessage& message, const MavlinkHeader& header, int32_t payload,
+                               uint8_t* frame) noexcept {
+  const uint8_t head[kMavlinkHeadBytes] = {kMavlinkMagic,
+                                           static_cast<uint8_t>(payload),
+                                           0,
+                                           0,
+                                           header.sequence,
+                                           header.system,
+                                           header.component,
+                                           static_cast<uint8_t>(message.id & 0xFF),
+                                           static_cast<uint8_t>(message.id >> 8 & 0xFF),
+                                           static_cast<uint8_t>(message.id >> 16)};
+  __builtin_memcpy(frame, head, kMavlinkHeadBytes);
+  uint8_t* at = frame + kMavlinkHeadBytes + payload;
+  put(at, mavlink_checksum(frame, payload, message), kMavlinkChecksumBytes);
+  return kMavlinkHeadBytes + payload + kMavlinkChecksumBytes;
+}
+
 int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& header, uint8_t* frame) noexcept {
-  uint8_t* at = frame + kHeader;
+  uint8_t* at = frame + kMavlinkHeadBytes;
   put(at, header.time_boot_ms, 4);
   Numbers numbers{at};
   numbers.add(setpoint.position, 0);
@@ -65,23 +87,7 @@ int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& heade
   *at++ = header.target_system;
   *at++ = header.target_component;
   *at++ = kLocalNed;  // not 0, so MAVLink 2 has no zeros at the end to leave out
-  const uint8_t head[kHeader] = {kMagic,
-                                 kPayload,
-                                 0,
-                                 0,
-                                 header.sequence,
-                                 header.system,
-                                 header.component,
-                                 static_cast<uint8_t>(kMessage & 0xFF),
-                                 static_cast<uint8_t>(kMessage >> 8),
-                                 0};
-  __builtin_memcpy(frame, head, kHeader);
-  uint16_t crc = 0xFFFF;
-  for (int i = 1; i < kHeader + kPayload; ++i) crc = accumulate(crc, frame[i]);
-  crc = accumulate(crc, kCrcExtra);
-  at = frame + kHeader + kPayload;
-  put(at, crc, 2);
-  return kHeader + kPayload + 2;
+  return complete_mavlink_frame(kSetpoint, header, kPayload, frame);
 }
 
 }  // namespace tern

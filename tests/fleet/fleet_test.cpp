@@ -271,6 +271,8 @@ TEST_F(FleetPair, WhatPacketsBring) {
   std::uint8_t other[1400];
   std::copy(packet, packet + size, other);
   other[20] ^= 1;
+  EXPECT_EQ(fleet(0).receive(other, size, now_), Heard::kOld) << "of a state that is known nothing is read";
+  other[3] ^= 1;
   EXPECT_EQ(fleet(0).receive(other, size, now_), Heard::kDamaged);
   std::copy(packet, packet + size, other);
   other[1] = 9;

@@ -24,6 +24,7 @@ struct FleetSetting {
 };
 
 constexpr int kMostMembers = 11;
+constexpr std::uint32_t kFleetWork = 250;  ///< units of proofs a tick
 constexpr std::int64_t kFleetTick = 100'000'000;
 constexpr std::int64_t kClockError = 10'000'000;
 constexpr int kMostDelay = 3;  ///< ticks
@@ -113,9 +114,9 @@ class FleetRun {
     const std::int64_t now = clock(v);
     const std::uint64_t begun = count_();
     hear(v, now);
-    tern::Work work(500);
+    tern::Work work(kFleetWork);
     fleet.advance(now, work);
-    note(v, now, 500 - (work.left() ? work.units() : 0));
+    note(v, now, kFleetWork - (work.left() ? work.units() : 0));
     if (v == 1 && tick_ == s_.restart) {
       memory_.plan = *fleet.flown();
       begin(v, memory_.plan, now);

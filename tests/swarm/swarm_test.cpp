@@ -93,7 +93,7 @@ TEST(Swarm, NobodyTouchesAnybodyWhereMembersBeginAnew) {
 // Seventy vehicles have more plans than a flight has room for: the swarm says so.
 TEST(Swarm, SaysWhichPlansAFlightHasNoRoomFor) {
   SwarmWorld world = swarm_world("field-70:1");
-  world.time_limit = 0.6;
+  world.time_limit = 0.3;
   const SwarmResult result = fly_swarm(world, {});
   EXPECT_GT(result.most_untold, 0);
   EXPECT_TRUE(result.contacts.empty());

@@ -12,9 +12,11 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
+#include "host/page/page.hpp"
 #include "host/swarm/swarm.hpp"
 #include "host/swarm/swarm_json.hpp"
 #include "host/swarm/swarm_processes.hpp"
+#include "host/swarm/swarm_run.hpp"
 
 namespace tern_cli {
 namespace {
@@ -22,7 +24,7 @@ namespace {
 struct SwarmOptions {
   std::string world;
   std::string json;
-  std::string record;
+  std::string record, html;
   bool processes = false;
   int runs = 1;
   std::vector<double> partition;
@@ -73,8 +75,10 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
 }
 
 int fly(SwarmOptions& options) {
-  check_output_paths({}, {options.json, options.record});
+  check_output_paths({}, {options.json, options.record, options.html});
   if (!options.record.empty() && options.runs > 1) throw std::runtime_error("--record takes one run");
+  if (!options.html.empty()) tern_host::check_page(static_cast<std::size_t>(options.runs));
+  std::vector<std::string> pages;
   if (options.partition.size() == 2) options.settings.links.partition = {options.partition[0], options.partition[1]};
   bool all = true;
   std::string json;
@@ -97,8 +101,10 @@ int fly(SwarmOptions& options) {
     all = all && result.disagreed == 0 && result.arrived() == static_cast<int>(world.tasks.size()) &&
           result.contacts.empty();
     if (!options.json.empty()) json += tern_host::swarm_json(world, settings, result);
+    if (!options.html.empty()) pages.push_back(tern_host::swarm_run(world, settings, result));
     if (!options.record.empty()) tern_host::write_file(options.record, tern_host::write_swarm_record(record));
   }
+  if (!options.html.empty()) tern_host::write_file(options.html, tern_host::page_html(pages));
   if (!options.json.empty()) tern_host::write_files({{options.json, json}});
   return all ? kExitOk : kExitNoPlan;
 }
@@ -145,6 +151,7 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
   command->add_flag("--processes", options->processes,
                     "In real time: each vehicle in a process of its own, packets over UDP on the loopback interface");
   command->add_option("--late", s.late, "By how much ticks may be late at most, s")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--html", options->html, "A page of up to 12 runs, to turn and play")->type_name("FILE");
   command->add_option("--record", options->record, "Record the swarm for `tern replay`")->type_name("FILE");
   command->callback([options, &exit_status] { exit_status = fly(*options); });
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The bytes of a fleet's messages, written and read: numbers of one to eight bytes, the lowest byte first.
+// The bytes of a fleet's messages, written and read: numbers of one to eight bytes, the lowest byte first. One list of
+// fields, called with a writer or a reader, does both.
 #ifndef TERN_FLEET_BYTES_HPP
 #define TERN_FLEET_BYTES_HPP
 
@@ -23,6 +24,10 @@ class ByteWriter {
     std::uint64_t bits = 0;
     __builtin_memcpy(&bits, &value, sizeof bits);
     put(bits);
+  }
+  template <typename... Fields>
+  void operator()(const Fields&... fields) noexcept {
+    (put(fields), ...);
   }
 
   std::int32_t size() const noexcept { return size_; }
@@ -47,6 +52,10 @@ class ByteReader {
     std::uint64_t bits = 0;
     get(bits);
     __builtin_memcpy(&value, &bits, sizeof value);
+  }
+  template <typename... Fields>
+  void operator()(Fields&... fields) noexcept {
+    (get(fields), ...);
   }
   void skip(std::int32_t count) noexcept { at_ += count; }
 

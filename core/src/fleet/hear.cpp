@@ -31,6 +31,8 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   StateHead state{};
   Answer answer{};
   const bool is_state = read_state(peer.arriving.bytes, peer.arriving.size, fleet.spec.id, state, answer);
+  const std::uint32_t crc = peer.arriving.crc;
+  const std::int32_t size = peer.arriving.size;
   peer.arriving.clear();
   if (!is_state || state.id != peer.id) return Heard::kDamaged;
   const auto ahead = static_cast<std::uint64_t>(state.stamp) - static_cast<std::uint64_t>(now);
@@ -40,6 +42,8 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);
   peer.state = state;
   peer.answer = answer;
+  peer.state_crc = crc;
+  peer.state_size = size;
   peer.heard = now;
   return Heard::kNews;
 }
@@ -47,6 +51,8 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
 Heard take_state(FleetMemory& fleet, Peer& peer, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,
                  std::int64_t now) {
   if (is_full(head.size > kMaxStateBytes)) return Heard::kTooLong;
+  // A state is sent again until it changes.
+  if (head.size == peer.state_size && head.crc == peer.state_crc) return Heard::kOld;
   if (!peer.arriving.is_of(head)) peer.arriving.open(head);
   peer.arriving.take(head, packet, size);
   if (peer.arriving.is_complete()) return hear_state(fleet, peer, now);

@@ -45,6 +45,8 @@ void forget_peer(Peer& peer, std::uint16_t id) noexcept {
   peer.judged = 0;
   peer.consent = Consent::kNone;
   peer.packets = 0;
+  peer.state_crc = 0;
+  peer.state_size = 0;
   peer.arriving.clear();
   for (int slot = 0; slot < kPeerPlans; ++slot) {
     peer.plans[slot].clear();

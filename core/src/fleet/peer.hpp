@@ -21,14 +21,16 @@ constexpr std::int8_t kNoPlan = -1;
 
 struct Peer {
   std::uint16_t id;
-  std::int64_t heard;     ///< when the newest state came
-  StateHead state;        ///< the newest; of incarnation 0 if none came
-  Answer answer;          ///< in that state, to this vehicle
-  std::int8_t flown;      ///< the plan that it was heard to fly; kNoPlan: not known
-  std::int8_t held;       ///< a plan that this vehicle agreed to, and of which it is not known that it was dropped
-  std::uint32_t judged;   ///< number of the last plan that was judged; 0: none
-  Consent consent;        ///< on that plan
-  std::uint32_t packets;  ///< of plans that came
+  std::int64_t heard;       ///< when the newest state came
+  StateHead state;          ///< the newest; of incarnation 0 if none came
+  Answer answer;            ///< in that state, to this vehicle
+  std::int8_t flown;        ///< the plan that it was heard to fly; kNoPlan: not known
+  std::int8_t held;         ///< a plan that this vehicle agreed to, and of which it is not known that it was dropped
+  std::uint32_t judged;     ///< number of the last plan that was judged; 0: none
+  Consent consent;          ///< on that plan
+  std::uint32_t packets;    ///< of plans that came
+  std::uint32_t state_crc;  ///< of the newest state's bytes
+  std::int32_t state_size;  ///< 0: none came
   Assembly<kMaxStateBytes> arriving;
   Assembly<kMaxPlanBytes> plans[kPeerPlans];
   PlanName names[kPeerPlans];             ///< of those that are complete

@@ -37,20 +37,16 @@ double unit_of(int exponent) {
   return unit;
 }
 
+template <typename Bytes, typename PlanHead>
+void list_head(Bytes& bytes, PlanHead& head) {
+  bytes(head.name.id, head.name.incarnation, head.name.number, head.name.takeover, head.begin, head.origin.x,
+        head.origin.y, head.origin.z, head.exponent, head.count);
+}
+
 Head read_head(ByteReader& in) {
   Head head{};
-  std::uint8_t form = 0;
-  in.get(form);
-  in.get(head.name.id);
-  in.get(head.name.incarnation);
-  in.get(head.name.number);
-  in.get(head.name.takeover);
-  in.get(head.begin);
-  in.get(head.origin.x);
-  in.get(head.origin.y);
-  in.get(head.origin.z);
-  in.get(head.exponent);
-  in.get(head.count);
+  in.skip(1);
+  list_head(in, head);
   return head;
 }
 
@@ -138,15 +134,10 @@ std::int32_t write_plan(const Trajectory& plan, const PlanName& name, std::uint8
   if (!is_sendable(plan, name.takeover)) return 0;
   const int exponent = exponent_for(plan);
   ByteWriter out(bytes);
+  const Head head{name, plan.begin, plan.origin, static_cast<std::int8_t>(exponent),
+                  static_cast<std::uint16_t>(plan.count)};
   out.put(form_of(MessageKind::kPlan));
-  out.put(name.id);
-  out.put(name.incarnation);
-  out.put(name.number);
-  out.put(name.takeover);
-  out.put(plan.begin);
-  for (int a = 0; a < 3; ++a) out.put(axis(plan.origin, a));
-  out.put(static_cast<std::int8_t>(exponent));
-  out.put(static_cast<std::uint16_t>(plan.count));
+  list_head(out, head);
   for (int s = 0; s < plan.count; ++s) out.put(plan.segments[s].duration);
   put_points(plan, unit_of(exponent), out);
   return out.size();

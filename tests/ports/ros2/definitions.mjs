@@ -6,7 +6,8 @@
 // for fields.
 import { ros2jazzy } from "@foxglove/rosmsg-msgs-common";
 
-const wanted = ["std_msgs/Empty", "geometry_msgs/PoseStamped", "geometry_msgs/TransformStamped", "nav_msgs/Odometry",
+const wanted = ["std_msgs/Empty", "std_msgs/UInt8MultiArray", "geometry_msgs/PoseStamped",
+  "geometry_msgs/TransformStamped", "nav_msgs/Odometry",
   "nav_msgs/Path", "sensor_msgs/CameraInfo", "sensor_msgs/Image", "sensor_msgs/PointCloud2",
   "trajectory_msgs/MultiDOFJointTrajectory", "visualization_msgs/MarkerArray", "diagnostic_msgs/DiagnosticArray"];
 const plain = { bool: "bool", byte: "std::uint8_t", char: "std::uint8_t", float32: "float", float64: "double",

@@ -94,8 +94,8 @@ class Swarm {
   }
 
   void film() {
-    std::vector<tern::Vec3> row;
-    for (const auto& vehicle : vehicles_) row.push_back(vehicle->at(now_).position);
+    std::vector<tern::Sample> row;
+    for (const auto& vehicle : vehicles_) row.push_back(vehicle->at(now_));
     result_.film.push_back(row);
   }
 

@@ -37,8 +37,8 @@ struct SwarmResult {
   std::uint32_t most_fleet_units = 0;  ///< of a tick
   int most_untold = 0;                 ///< others' plans that a flight has no room for, at a time
   std::uint64_t hash = 0;              ///< of all positions at all ticks
-  /// Positions of all members, one row each `film_step` seconds.
-  std::vector<std::vector<tern::Vec3>> film;
+  /// All members, one row each `film_step` seconds. Of vehicles in processes, places alone.
+  std::vector<std::vector<tern::Sample>> film;
   double film_step = 0.1;
 
   int arrived() const;

@@ -43,7 +43,7 @@ std::string swarm_json(const SwarmWorld& world, const SwarmSettings& settings, c
   Json film = Json::array();
   for (const auto& row : result.film) {
     Json places = Json::array();
-    for (const tern::Vec3& place : row) places.push_back(point(place));
+    for (const tern::Sample& sample : row) places.push_back(point(sample.position));
     film.push_back(places);
   }
   const LinkSettings& links = settings.links;

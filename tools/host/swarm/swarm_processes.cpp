@@ -181,7 +181,10 @@ class Processes {
     }
     for (std::int64_t t = 0; t < end; t += static_cast<std::int64_t>(1e9 * result_.film_step)) {
       result_.film.emplace_back();
-      for (const Child& child : children_) result_.film.back().push_back(child.at(t));
+      for (const Child& child : children_) {
+        result_.film.back().emplace_back();
+        result_.film.back().back().position = child.at(t);
+      }
     }
   }
 

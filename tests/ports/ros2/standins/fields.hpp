@@ -19,6 +19,22 @@ void each_field(const builtin_interfaces::msg::Duration& m, Visit& visit) {
   visit("nanosec", m.nanosec);
 }
 template <typename Visit>
+void each_field(const std_msgs::msg::MultiArrayDimension& m, Visit& visit) {
+  visit("label", m.label);
+  visit("size", m.size);
+  visit("stride", m.stride);
+}
+template <typename Visit>
+void each_field(const std_msgs::msg::MultiArrayLayout& m, Visit& visit) {
+  visit("dim", m.dim);
+  visit("data_offset", m.data_offset);
+}
+template <typename Visit>
+void each_field(const std_msgs::msg::UInt8MultiArray& m, Visit& visit) {
+  visit("layout", m.layout);
+  visit("data", m.data);
+}
+template <typename Visit>
 void each_field(const std_msgs::msg::Header& m, Visit& visit) {
   visit("stamp", m.stamp);
   visit("frame_id", m.frame_id);

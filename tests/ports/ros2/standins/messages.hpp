@@ -26,6 +26,22 @@ namespace std_msgs::msg {
 struct Empty {
 };
 
+struct MultiArrayDimension {
+  std::string label{};
+  std::uint32_t size{};
+  std::uint32_t stride{};
+};
+
+struct MultiArrayLayout {
+  std::vector<std_msgs::msg::MultiArrayDimension> dim{};
+  std::uint32_t data_offset{};
+};
+
+struct UInt8MultiArray {
+  std_msgs::msg::MultiArrayLayout layout{};
+  std::vector<std::uint8_t> data{};
+};
+
 struct Header {
   builtin_interfaces::msg::Time stamp{};
   std::string frame_id{};
