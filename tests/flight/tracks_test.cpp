@@ -132,7 +132,7 @@ TEST(FlightTracks, PassersByAreFlownAround) {
     EXPECT_TRUE(flown.arrived) << k;
     touched_at_rest += flown.at_rest > 0 ? 1 : 0;
   }
-  EXPECT_LE(touched_at_rest, 1 + flights / 20);  // a vehicle at rest does not give way
+  EXPECT_LE(touched_at_rest, 1 + flights / 20);  // not promised
 }
 
 /// On the way to 12 m along x, at nearly 3 m/s.

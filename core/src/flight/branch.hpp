@@ -68,6 +68,12 @@ bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Traje
 /// The same with flatter ramps: where only the limit on jerk makes them long, they are a fifth shorter.
 bool append_flat_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;
 
+/// Appends a push to a side, a unit vector, with all the acceleration that the limits allow there, then the stop with
+/// flat ramps. From rest, the stop ends about `far` metres away; with a limit on jerk, further. False if there is no
+/// room, or if the limits do not hold.
+bool append_push(const JointState& from, const MotionLimits& limits, const Vec3& side, double far,
+                 Trajectory& out) noexcept;
+
 /// How long slow-down `way` of 0 .. kSlowDowns - 1 takes from this velocity, seconds. On a straight path flown at a
 /// constant speed, the sharpest one brakes at the limit of acceleration or of jerk.
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept;

@@ -72,6 +72,21 @@ void Cycle::begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcep
   job = Job::kWait;
 }
 
+bool Cycle::begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) noexcept {
+  gave_way = !gave_way && flight.tracks.count > 0 && !flight.plans.in_flight.lifts;
+  if (!gave_way) return false;
+  int stays = 0;
+  expected.expect(flight.tracks, flight.time);
+  gave_way = is_in_the_way(flight, expected, draft.takeover, stays, work);
+  if (!gave_way) return false;
+  draft.plan.tubes.take(flight.tracks);
+  draft.proven_on = flight.map.safe().revision();
+  sidesteps.begin(stays);
+  steps_aside = true;
+  job = Job::kSidestep;
+  return true;
+}
+
 Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {
   while (!route.done()) {
     if (!work.left()) return Progress::kMore;
@@ -190,6 +205,7 @@ void Cycle::prove_anew() noexcept {
   const bool proves_draft = job == Job::kProve || job == Job::kBranch || job == Job::kConfirm;
   if (proves_draft) job = Job::kWait;
   if (job == Job::kRenew) job = Job::kCleared;
+  if (job == Job::kSidestep) sidesteps.begin(sidesteps.stays);
 }
 
 bool Cycle::reads_map() const noexcept {

@@ -18,6 +18,7 @@
 #include "flight/lookouts.hpp"
 #include "flight/rest_search.hpp"
 #include "flight/route_copy.hpp"
+#include "flight/sidestep.hpp"
 #include "tern/planner.hpp"
 
 namespace tern {
@@ -40,6 +41,7 @@ enum class Job : std::uint8_t {
   kAnswer,     ///< waits for the answer whether the draft may be flown
   kCleared,    ///< it may: waits until the window has slid
   kRenew,      ///< proves the draft once more, on the map as it is now
+  kSidestep,   ///< finds a proven way out of the way of a thing
 };
 
 /// The next question to the planner after it found no plan.
@@ -80,6 +82,8 @@ struct Cycle {
   bool steps_aside;          ///< the plan leads out of the way of something that moves, no nearer to the target
   std::uint32_t met_things;  ///< plans in a row that failed because of things that move
   BranchSearch branches;
+  Sidesteps sidesteps;
+  bool gave_way;        ///< the last cycle looked for a sidestep: the next one plans
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
 
   void leave() noexcept { job = Job::kIdle; }
@@ -88,6 +92,9 @@ struct Cycle {
              std::int64_t takeover) noexcept;
   /// The draft is a lift: only its proof is left to do.
   void begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcept;
+  /// Begins to look for a sidestep, if the vehicle is in the way of something at this takeover. False if it is not, or
+  /// if the last cycle looked for one.
+  bool begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
   Progress copy(const RollingMap& map, Work& work) noexcept;
   /// Begins to prove the remainder of the planner's plan in flight on the copy, if it is a candidate.
   Progress begin_remainder(const FlightFacts& flight, Draft& draft) noexcept;

@@ -78,8 +78,8 @@ bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
   return append_stop(joint, flight.limits, way, stop, plan.trajectory) && stop.segments[0].duration >= kShortestRamp;
 }
 
-bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept {
-  work.spend(number < kStops ? kStopOperations / 2 : kSlowDownOperations);
+/// Becomes a plan without segments that begins on the committed plan, at the takeover.
+const Commitment& Draft::leave_committed_plan(const FlightFacts& flight, bool evades) noexcept {
   const Commitment& committed = flight.plans.at(takeover);
   extends = false;
   plan.branch = 0.0;
@@ -94,9 +94,28 @@ bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work
   plan.trajectory.count = 0;
   plan.trajectory.begin = takeover;
   plan.trajectory.origin = evaluate(committed.trajectory, committed.time_at(takeover)).position;
-  if (!append_brake(flight, committed, number)) return false;
+  return committed;
+}
+
+void Draft::end_as_brake(const FlightFacts& flight) noexcept {
   plan.planned = plan.trajectory;
   static_cast<Destination&>(plan) = {plan.end(), false, false, flight.itinerary.number, flight.itinerary.leg};
+}
+
+bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept {
+  work.spend(number < kStops ? kStopOperations / 2 : kSlowDownOperations);
+  const Commitment& committed = leave_committed_plan(flight, evades);
+  if (!append_brake(flight, committed, number)) return false;
+  end_as_brake(flight);
+  return true;
+}
+
+bool Draft::sidestep(const FlightFacts& flight, const Vec3& side, double far, Work& work) noexcept {
+  work.spend(kStopOperations / 2);
+  const Commitment& committed = leave_committed_plan(flight, false);
+  const JointState at = joint_at(committed.trajectory, committed.time_at(takeover), plan.trajectory.origin);
+  if (!append_push(at, flight.limits, side, far, plan.trajectory)) return false;
+  end_as_brake(flight);
   return true;
 }
 

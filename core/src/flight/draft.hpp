@@ -48,6 +48,9 @@ struct Draft {
   bool branch_off(const FlightFacts& flight, double at, int way) noexcept;
   /// Becomes brake number `number` of an evasion. False if there is no such brake.
   bool brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept;
+  /// Leaves the committed plan at the takeover: pushes off to a side, a unit vector, and stops about `far` metres away
+  /// from where it would have stopped. False if the limits allow no such motion.
+  bool sidestep(const FlightFacts& flight, const Vec3& side, double far, Work& work) noexcept;
 
   /// Proves that the vehicle may stay where it hovers at the flight's start.
   bool prove_hover(const FlightFacts& flight) noexcept;
@@ -73,6 +76,8 @@ struct Draft {
   }
 
  private:
+  const Commitment& leave_committed_plan(const FlightFacts& flight, bool evades) noexcept;
+  void end_as_brake(const FlightFacts& flight) noexcept;
   bool append_brake(const FlightFacts& flight, const Commitment& committed, int number) noexcept;
 };
 

@@ -86,6 +86,7 @@ class FlightState {
   void choose_draft(bool planned) noexcept;
   Progress run_proof() noexcept;
   Progress run_confirm() noexcept;
+  Progress run_sidestep() noexcept;
   Progress or_fail(Progress progress) noexcept;
   bool commit() noexcept;
   void enter_draft() noexcept;

@@ -56,4 +56,13 @@ bool meets_thing(const Trajectory& plan, double from, const TrackTable& things, 
   return false;
 }
 
+int rest_steps(const Trajectory& plan, double from, const TrackTable& things, double clearance, Work& work) noexcept {
+  const Things all = things_of(things, clearance, plan.begin);
+  const Vec3 place = evaluate(plan, duration(plan)).position;
+  for (int k = 1; k <= kRestSteps && all.count > 0; ++k) {
+    if (is_met(all, place, from + k * kRestStep, work)) return k - 1;
+  }
+  return kRestSteps;
+}
+
 }  // namespace tern

@@ -18,6 +18,14 @@ namespace tern {
 /// beginning. `clearance`: of the vehicle, metres.
 bool meets_thing(const Trajectory& plan, double from, const TrackTable& things, double clearance, Work& work) noexcept;
 
+/// Steps for which a rest is looked at, and how long each is, seconds.
+constexpr int kRestSteps = 10;
+constexpr double kRestStep = 0.25;
+
+/// For how many steps after `from`, seconds since its beginning, the end of a plan stays clear of the things of the
+/// table: kRestSteps at most.
+int rest_steps(const Trajectory& plan, double from, const TrackTable& things, double clearance, Work& work) noexcept;
+
 }  // namespace tern
 
 #endif

@@ -54,6 +54,8 @@ struct Itinerary {
   void begin(const Via* mission_points, std::int32_t point_count, ViaPolicy mission_policy) noexcept;
   /// Forgets all reasons to give up.
   void try_anew() noexcept;
+  /// What moves made the vehicle leave its place: plans that led nowhere so far do not count.
+  void forgive_plans() noexcept { fruitless = wandering = 0; }
   void park(FlightReason why) noexcept;
   void forget_goal() noexcept;
   void pass(std::int32_t point) noexcept { state[point] = PointState::kPassed; }

@@ -12,6 +12,11 @@ namespace tern {
 void FlightState::begin_cycle() noexcept {
   const bool is_free = !facts.plans.has_waiting && !evasion.stop_asked && !watch.is_running;
   if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound() || look_out()) return;
+  draft.begin(facts, kSidestepTicks + facts.clearance_ticks());
+  if (cycle.begin_sidestep(facts, draft, tick_work)) {
+    ++report.asked;
+    return;
+  }
   draft.begin(facts, cycle.lead.ticks(facts.spec) + facts.clearance_ticks());
   if (begin_lift()) return;
   const Commitment& in_flight = facts.plans.in_flight;
@@ -53,6 +58,7 @@ Progress FlightState::run_job() noexcept {
     case Job::kAnswer: return Progress::kMore;
     case Job::kCleared: return or_fail(cycle.begin_renewal(facts, draft));
     case Job::kRenew: return run_renewal();
+    case Job::kSidestep: return run_sidestep();
   }
   return Progress::kMore;
 }
@@ -156,6 +162,12 @@ Progress FlightState::run_confirm() noexcept {
   return Progress::kDone;
 }
 
+Progress FlightState::run_sidestep() noexcept {
+  const Progress progress = cycle.sidesteps.advance(facts, cycle.expected, draft, tick_work);
+  if (progress == Progress::kDone) commit();
+  return or_fail(progress);
+}
+
 /// The progress of a step. A step that fails ends the cycle.
 Progress FlightState::or_fail(Progress progress) noexcept {
   if (progress != Progress::kFailed) return progress;
@@ -184,6 +196,7 @@ void FlightState::enter_draft() noexcept {
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
+  if (cycle.job == Job::kSidestep) facts.itinerary.forgive_plans();
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();

@@ -1,0 +1,107 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/sidestep.hpp"
+
+#include "base/math.hpp"
+#include "flight/branch.hpp"
+#include "flight/foresight.hpp"
+
+namespace tern {
+namespace {
+
+/// Lengths, in clearances.
+constexpr double kLengths[2] = {2.0, 5.0};
+/// A vehicle gives way if it rests within so many seconds, and something is expected there within so many.
+constexpr double kRestsSoon = 0.6;
+constexpr double kMetSoon = 1.5;
+/// Scores: so much for each step that the end stays clear, and less than that for the side.
+constexpr int kPerStep = 32;
+constexpr double kForSide = 15.0;
+
+/// Along a diagonal, the box of the limits on acceleration allows more than along an axis.
+Vec3 side_of(int number) {
+  const int n = number % kSides;
+  const int cell = n < kSides / 2 ? n : n + 1;  // without the middle
+  const Vec3 side{cell % 3 - 1.0, cell / 3 % 3 - 1.0, cell / 9 - 1.0};
+  return (1.0 / length(side)) * side;
+}
+
+double length_of(int number, double clearance) {
+  return kLengths[number / kSides] * clearance;
+}
+
+/// From -1, away from the next point, to 1.
+double towards_target(const FlightFacts& flight, const Vec3& side) {
+  const Vec3 way = flight.itinerary.points[flight.itinerary.leg].position - flight.position();
+  const double far = length(way);
+  return far > 0.0 ? dot(way, side) / far : 0.0;
+}
+
+}  // namespace
+
+void Sidesteps::begin(int steps_of_staying) noexcept {
+  stays = steps_of_staying;
+  candidate = -1;
+  is_proving = are_scored = false;
+}
+
+/// Goes on to the candidate that is to be scored next, or to the best one that is not proven yet. False: none is left.
+bool Sidesteps::next() noexcept {
+  if (!are_scored) {
+    are_scored = ++candidate == kSidesteps;
+    if (!are_scored) return true;
+  }
+  int best = kPerStep * (stays + 1) - 1;
+  candidate = -1;
+  for (int n = 0; n < kSidesteps; ++n) {
+    if (score[n] <= best) continue;
+    best = score[n];
+    candidate = n;
+  }
+  if (candidate < 0) return false;
+  score[candidate] = 0;
+  return true;
+}
+
+Progress Sidesteps::advance(const FlightFacts& flight, const TrackTable& expected, Draft& draft, Work& work) noexcept {
+  for (int turn = 0; turn <= 3 * kSidesteps; ++turn) {
+    if (is_proving) {
+      if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
+      is_proving = false;
+      if (draft.proof.report().finding == Finding::kNone) return Progress::kDone;
+    }
+    if (!work.left()) return Progress::kMore;
+    if (!next()) return Progress::kFailed;
+    const double far = length_of(candidate, flight.map.safe().spec().clearance());
+    const bool is_made = draft.sidestep(flight, side_of(candidate), far, work);
+    if (are_scored) {
+      is_proving = is_made && draft.begin_proof(flight, draft.plan.trajectory, 0.0) == Status::kRunning;
+    } else {
+      const int worth = is_made ? score_of(flight, expected, draft, work) : 0;
+      score[candidate] = static_cast<std::int16_t>(worth);
+    }
+  }
+  return Progress::kFailed;
+}
+
+int Sidesteps::score_of(const FlightFacts& flight, const TrackTable& expected, Draft& draft,
+                        Work& work) const noexcept {
+  const Trajectory& plan = draft.plan.trajectory;
+  const double clearance = flight.map.safe().spec().clearance();
+  if (meets_thing(plan, 0.0, draft.plan.tubes, clearance, work)) return 0;
+  const int steps = rest_steps(plan, duration(plan), expected, clearance, work);
+  const double side = kForSide * (1.0 + towards_target(flight, side_of(candidate)));
+  return kPerStep * steps + static_cast<int>(side);
+}
+
+bool is_in_the_way(const FlightFacts& flight, const TrackTable& expected, std::int64_t takeover, int& stays,
+                   Work& work) noexcept {
+  const Commitment& latest = flight.plans.latest();
+  const double rests_in = seconds_between(takeover, latest.begin() + nanoseconds(duration(latest.trajectory)));
+  if (expected.count == 0 || rests_in > kRestsSoon) return false;
+  const double from = larger(duration(latest.trajectory), latest.time_at(takeover));
+  stays = rest_steps(latest.trajectory, from, expected, flight.map.safe().spec().clearance(), work);
+  return larger(0.0, rests_in) + stays * kRestStep < kMetSoon;
+}
+
+}  // namespace tern

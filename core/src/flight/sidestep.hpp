@@ -1,0 +1,49 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Giving way at rest: short moves out of the way of a thing that is expected where the vehicle rests, or is about to.
+// They are made without the planner, so they begin soon: a thing that is near leaves no time for a plan.
+#ifndef TERN_FLIGHT_SIDESTEP_HPP
+#define TERN_FLIGHT_SIDESTEP_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "flight/draft.hpp"
+#include "flight/flight_facts.hpp"
+#include "flight/track_table.hpp"
+
+namespace tern {
+
+/// The sides are those of a cube, its edges and its corners, seen from its middle; each is tried with two lengths.
+constexpr int kSides = 26;
+constexpr int kSidesteps = 2 * kSides;
+/// Ticks from the beginning of a sidestep to its takeover.
+constexpr std::int64_t kSidestepTicks = 5;
+
+struct Sidesteps {
+  int stays;                       ///< for so many steps the end of the committed plan stays clear
+  int candidate;                   ///< that was made last; it is scored, or, with all scored, proven
+  bool is_proving;                 ///< that one is being proven
+  bool are_scored;                 ///< all are
+  std::int16_t score[kSidesteps];  ///< 0: not to be flown
+
+  void begin(int steps_of_staying) noexcept;
+  /// The sidesteps whose ends stay clear for longest come first, and of these those that lead nearer to the target.
+  /// kDone: the draft is one of them, and it is proven. kFailed: none that is better than to stay is.
+  Progress advance(const FlightFacts& flight, const TrackTable& expected, Draft& draft, Work& work) noexcept;
+
+ private:
+  bool next() noexcept;
+  int score_of(const FlightFacts& flight, const TrackTable& expected, Draft& draft, Work& work) const noexcept;
+};
+
+/// True if the vehicle rests soon after this takeover, where a thing is expected within a short time. `stays` receives
+/// for how many steps that place stays clear.
+bool is_in_the_way(const FlightFacts& flight, const TrackTable& expected, std::int64_t takeover, int& stays,
+                   Work& work) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,115 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A vehicle that rests in the way of a thing gives way.
+#include "flight/sidestep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/branch.hpp"
+#include "support/flight_room.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+
+constexpr double kWalker = 0.3;
+
+double reached_by(const Trajectory& push) {
+  return length(push.segments[push.count - 1].points[kDegree]);
+}
+
+TEST(FlightSidestep, APushKeepsTheLimitsAndEndsAtRest) {
+  tern_test::Random random(4203);
+  for (const double jerk : {0.0, 60.0, 20.0}) {
+    Limits limits{{3.0, 3.0, 2.0}, {6.0, 6.0, 4.0}};
+    limits.j_max = {jerk, jerk, jerk};
+    for (int k = 0; k < tern_test::scaled(100); ++k) {
+      const Vec3 way{random.real(-1.0, 1.0), random.real(-1.0, 1.0), random.real(-1.0, 1.0)};
+      if (length(way) < 0.1) continue;
+      const Vec3 side = (1.0 / length(way)) * way;
+      Trajectory push{};
+      ASSERT_TRUE(append_push({}, MotionLimits(limits), side, 1.0, push));
+      EXPECT_GT(reached_by(push), 0.9);
+      EXPECT_LT(reached_by(push), jerk > 0.0 ? 6.0 : 1.6);
+      EXPECT_GT(dot(push.segments[push.count - 1].points[kDegree], side), 0.999 * reached_by(push));
+      for (double t = 0.0; t <= duration(push); t += 0.01) {
+        const Sample s = evaluate(push, t);
+        EXPECT_LE(std::abs(s.velocity.x), 3.0 + 1e-6);
+        EXPECT_LE(std::abs(s.acceleration.z), 4.0 + 1e-6);
+        if (jerk > 0.0) {
+          EXPECT_LE(std::abs(s.jerk.y), jerk * (1.0 + 1e-6));
+        }
+      }
+      EXPECT_LT(length(evaluate(push, duration(push)).velocity), 1e-9);
+    }
+  }
+}
+
+TEST(FlightSidestep, AFastVehicleIsNotPushedBeyondItsSpeed) {
+  const Limits limits{{3.0, 3.0, 2.0}, {6.0, 6.0, 4.0}};
+  const JointState fast{{kZero, {2.9, 0.0, 0.0}, kZero, kZero}};
+  Trajectory push{};
+  EXPECT_FALSE(append_push(fast, MotionLimits(limits), {1.0, 0.0, 0.0}, 1.0, push));
+  push.count = 0;
+  EXPECT_TRUE(append_push(fast, MotionLimits(limits), {0.0, 1.0, 0.0}, 1.0, push));
+  push.count = kMaxSegments - 1;
+  EXPECT_FALSE(append_push(fast, MotionLimits(limits), {0.0, 1.0, 0.0}, 1.0, push));
+}
+
+/// Waits before a ball that covers its goal for good.
+struct WaitingRoom : FlightRoom {
+  WaitingRoom() {
+    const Vec3 goal{6.125, 0.125, 1.125};
+    flight.set_goal(goal);
+    Track ball = thing(1, goal, kZero);
+    ball.error_speed = ball.error_growth = ball.reach = 0.0;
+    EXPECT_EQ(flight.update_track(ball), Status::kOk);
+    for (int k = 0; k < 400; ++k) tick();
+  }
+  Track thing(std::uint32_t id, const Vec3& place, const Vec3& velocity) const {
+    Track track;
+    track.id = id;
+    track.measured = time;
+    track.position = place;
+    track.velocity = velocity;
+    track.radius = kWalker;
+    track.error = 0.03;
+    track.error_speed = 0.1;
+    track.error_growth = 0.5;
+    track.reach = 1.2;
+    return track;
+  }
+};
+
+// Each walks at 0.8 m/s right over the place where the vehicle waits.
+TEST(FlightSidestep, AVehicleThatWaitsGivesWay) {
+  tern_test::Random random(4204);
+  for (int k = 0; k < tern_test::scaled(6); ++k) {
+    WaitingRoom room;
+    const double angle = random.real(0.0, 6.283);
+    const Vec3 way{std::cos(angle), std::sin(angle), 0.0};
+    const Vec3 waits = room.position();
+    Vec3 walker = waits - 5.0 * way;
+    double nearest = 1e9;
+    double moved = 0.0;
+    for (int tick = 0; tick < 1000; ++tick) {
+      if (tick % 10 == 0) {
+        EXPECT_EQ(room.flight.update_track(room.thing(2, walker, 0.8 * way)), Status::kOk);
+      }
+      room.tick();
+      walker = walker + 0.008 * way;
+      nearest = std::min(nearest, distance(room.position(), walker));
+      moved = std::max(moved, distance(room.position(), waits));
+    }
+    EXPECT_GE(nearest, FlightRoom::kRadius + kWalker - 1e-3) << k;
+    EXPECT_GT(moved, 0.5) << k;
+  }
+}
+
+}  // namespace
