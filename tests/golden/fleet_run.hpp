@@ -112,14 +112,16 @@ class FleetRun {
   void act(int v) {
     tern::Fleet& fleet = memory_.fleets[v];
     const std::int64_t now = clock(v);
-    const std::uint64_t begun = count_();
+    std::uint64_t begun = count_();
     hear(v, now);
     tern::Work work(kFleetWork);
     fleet.advance(now, work);
     note(v, now, kFleetWork - (work.left() ? work.units() : 0));
     if (v == 1 && tick_ == s_.restart) {
+      const std::uint64_t before = count_();
       memory_.plan = *fleet.flown();
       begin(v, memory_.plan, now);
+      begun += count_() - before;  // it clears all memory, which is no part of a tick
     }
     const tern::Announcement state = fleet.report().announcement;
     const bool waits = state == tern::Announcement::kProving || state == tern::Announcement::kOpen;
