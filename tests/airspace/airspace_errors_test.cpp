@@ -34,7 +34,8 @@ std::string spoiled(const std::string& name, const std::string& from, const std:
 }
 
 TEST(AirspaceErrors, NameTheirPlace) {
-  expect_error("", "not JSON");
+  expect_error("", "the file is empty");
+  expect_error("\xFF\xFE<", "in UTF-16: save it in UTF-8");
   expect_error("{\"type\": \"FeatureCollection\", \"features\": [", "not JSON: something is wrong at byte 44");
   expect_error("[1, 2]", "none of the JSON formats");
   expect_error("{\"a\": 1e999}", "not JSON: a number is beyond all ranges");
@@ -83,6 +84,11 @@ TEST(AirspaceErrors, OfVolumes) {
   expect_error(spoiled("volumes.f3548.json", "outline_polygon", "outline"), "volumes/0/volume: a volume needs either");
   expect_error("{\"constraint\": {\"details\": {\"volumes\": []}}}",
                "at /constraint/details: there is no volume in it");
+}
+
+TEST(AirspaceErrors, OfEntities) {
+  expect_error(spoiled("volumes.f3548.json", "\"altitude_upper\": {\"value\": ", "\"altitude_upper\": {\"value\": -9"),
+               "altitude_upper is below altitude_lower");
 }
 
 TEST(AirspaceErrors, OfPlans) {

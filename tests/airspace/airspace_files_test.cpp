@@ -192,4 +192,59 @@ TEST(Airspace, SpoiledFilesAreReadOrRefused) {
   EXPECT_GT(refused, 0);
 }
 
+tern_host::Airspace with_kml(const std::string& coordinates, const std::vector<std::string>& keep_in = {}) {
+  tern_host::AirspaceSettings settings = lake_settings();
+  settings.keep_in = keep_in;
+  return tern_host::make_airspace(
+      {tern_host::parse_airspace("<kml><Placemark><name>Square</name><Polygon><extrude>true</extrude>"
+                                 "<altitudeMode>absolute</altitudeMode><outerBoundaryIs><LinearRing><coordinates>" +
+                                     coordinates +
+                                     "</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark></kml>",
+                                 "square.kml")},
+      settings);
+}
+
+std::string square(const std::string& third_height) {
+  return "8.535,47.363,600 8.545,47.363,600 8.545,47.369," + third_height + " 8.535,47.369,600 8.535,47.363,600";
+}
+
+TEST(Airspace, TextsOfKmlMayHaveCommentsAndCdata) {
+  const double area = with_kml(square("600")).entries[0].fit.area;
+  EXPECT_GT(area, 1e5);
+  EXPECT_EQ(with_kml(square("600 <!-- north-east --> ")).entries[0].fit.area, area);
+  EXPECT_EQ(with_kml("<![CDATA[" + square("600") + "]]>").entries[0].fit.area, area);
+  EXPECT_EQ(with_kml(square("600 <![CDATA[ ]]> ")).entries[0].fit.area, area);
+}
+
+TEST(Airspace, AKeepInOfKmlHasALevelTop) {
+  EXPECT_EQ(with_kml(square("600"), {"Square"}).entries[0].fit.fences.size(), 1u);
+  EXPECT_EQ(with_kml(square("550")).entries[0].zone.upper->metres, 600.0) << "a keep-out's highest corner";
+  EXPECT_THROW(with_kml(square("550"), {"Square"}), std::invalid_argument);
+}
+
+TEST(Airspace, GeojsonMayHaveKeysOfOtherFormats) {
+  for (const char* key : {"constraints", "operational_intents", "UASZoneList", "geoFence", "fileType", "details"}) {
+    const std::string text = std::string("{\"type\": \"FeatureCollection\", \"") + key +
+                             "\": [], \"features\": [{\"type\": \"Feature\", \"properties\": null, \"geometry\": "
+                             "{\"type\": \"Polygon\", \"coordinates\": [[[8.5, 47], [8.6, 47], [8.6, 48]]]}}]}";
+    EXPECT_EQ(tern_host::parse_airspace(text, "foreign.json").zones.size(), 1u) << key;
+  }
+}
+
+TEST(Airspace, ZonesCountAsLongAsTheClockMayBeOff) {
+  tern_host::AirspaceSettings settings = lake_settings();
+  settings.clock_error = 5.0;
+  const auto fences = [&settings](const char* key, const char* time) {
+    const std::string text = std::string("{\"type\": \"Feature\", \"properties\": {\"") + key + "\": \"" + time +
+                             "\"}, \"geometry\": {\"type\": \"Polygon\", \"coordinates\": [[[8.53, 47.36], "
+                             "[8.55, 47.36], [8.55, 47.37]]]}}";
+    return tern_host::make_airspace({tern_host::parse_airspace(text, "zone.json")}, settings).fence_count();
+  };
+  // The flight's clock is 0 at 08:00:00, and the flight ends by 16:00:00.
+  EXPECT_EQ(fences("until", "2026-03-02T07:59:56Z"), 1);
+  EXPECT_EQ(fences("until", "2026-03-02T07:59:54Z"), 0);
+  EXPECT_EQ(fences("from", "2026-03-02T16:00:04Z"), 1);
+  EXPECT_EQ(fences("from", "2026-03-02T16:00:06Z"), 0);
+}
+
 }  // namespace

@@ -144,6 +144,45 @@ TEST(FenceChoice, MarksWhatHoldsForAWhileAsClosed) {
   EXPECT_LT(broken_at(result), 0.0);
 }
 
+/// One keep-out with a side for each of these directions, all as far from the origin.
+FenceRecord around_origin(double first, double step, int sides, double far) {
+  FenceRecord record;
+  for (int i = 0; i < sides; ++i) {
+    const tern::Vec3 n{std::cos(first + i * step), std::sin(first + i * step), 0.0};
+    record.planes.push_back({n, far});
+  }
+  record.fence.kind = tern::FenceKind::kKeepOut;
+  return record;
+}
+
+TEST(FenceChoice, MarksWhereCornersAreTooMany) {
+  // Fewer half-spaces than a request takes, with more corners: a fan of forty sides, and strips below it.
+  Scenario scenario = tern_host::parse_scenario(
+      "boundary -400 -400 0 400 400 110\nstart -390 -390 20\ngoal 390 390 20\nresolution 4\nradius 0.5\n"
+      "v_max 12\na_max 6\n",
+      "fan");
+  const double step = 6.283185307179586 / 100.0, up = 1.5707963267948966;
+  scenario.fences.push_back(around_origin(up - 19.5 * step, step, 40, 200.0));
+  scenario.fences[0].planes.push_back({{0.0, -1.0, 0.0}, 0.0});
+  for (int i = 0; i < 5; ++i) {
+    const double slope = (i + 1) * step;
+    FenceRecord strip = around_origin(-slope, 2.0 * up + 2.0 * slope, 2, 200.0);
+    strip.planes.push_back({{0.0, 1.0, 0.0}, -2.0 * i});
+    strip.planes.push_back({{0.0, -1.0, 0.0}, 2.0 * i + 2.0});
+    scenario.fences.push_back(strip);
+  }
+  ASSERT_FALSE(tern_host::exceeds_capacity(scenario.fences));
+  tern_host::Session session;
+  const PlanResult result = session.plan(scenario);
+  ASSERT_TRUE(result.ok()) << tern::status_name(result.report.status);
+  EXPECT_EQ(result.scenario.fences.size(), 6u);
+  const double end = tern::duration(result.trajectory);
+  for (int i = 0; i <= 2000; ++i) {
+    const tern::Vec3 p = tern::evaluate(result.trajectory, end * i / 2000).position;
+    for (const FenceRecord& fence : scenario.fences) ASSERT_GE(tern_host::fence_gap(fence, p), 0.5 - 1e-6);
+  }
+}
+
 TEST(FenceChoice, NumbersFencesAsTheyWereGiven) {
   Random random(108);
   Scenario scenario = random_zones(random, 40);

@@ -85,6 +85,22 @@ TEST(Replan, WaitsWhereThatIsShortest) {
   EXPECT_NEAR(best->arrival - best->result.scenario.start_time, all[0].arrival, 1e-9) << "it is the same flight";
 }
 
+TEST(Replan, WaitsForItsOwnFencesToo) {
+  // The start is closed by a fence of the scenario's own when the wall has ended, until 200 s.
+  Scenario scenario = flight("-300 0 50", "300 0 50");
+  tern_host::FenceRecord pad;
+  tern::Halfspace planes[tern::kBoxPlanes];
+  tern::box_planes({{-310, -10, 40}, {-290, 10, 60}}, planes);
+  pad.planes.assign(planes, planes + tern::kBoxPlanes);
+  pad.fence.kind = tern::FenceKind::kKeepOut;
+  pad.fence.from = 20 * tern_host::kSecond;
+  pad.fence.until = 200 * tern_host::kSecond;
+  scenario.fences.push_back(pad);
+  const std::vector<Proposal> all = propose(scenario, {wall(-500, 500, 300, 600, 0, 120)});
+  EXPECT_TRUE(all[1].free) << proposals_text(all);
+  EXPECT_NEAR(all[1].result.scenario.start_time, 200.0, 0.01);
+}
+
 TEST(Replan, ChangesTheLevelWhereThatIsShortest) {
   const std::vector<Proposal> all = propose(flight("-300 0 50", "300 0 50"), {wall(-500, 500, 440, 460, 0, 500)});
   const Proposal* const best = best_of(all);

@@ -47,6 +47,10 @@ void check_options(IntentOptions& options) {
   if (!epoch) throw std::runtime_error("--epoch must be like 2026-03-01T09:30:00Z, with a time zone");
   options.tube.epoch = *epoch;
   if (!(options.rest >= 0.0 && options.rest <= 86400.0)) throw std::runtime_error("--rest must be 0 to 86400 s");
+  if (!(options.longest_delay >= 0.0 && options.longest_delay <= 1e6)) {
+    throw std::runtime_error("--longest-delay must be 0 to 1000000 s");
+  }
+  options.intent.id = tern_host::entity_id(options.intent.id);
   const std::string& id = options.intent.id;
   if (id.empty() && !options.json.empty()) throw std::runtime_error("--json needs --id, the intent's UUID");
   if (!id.empty() && !tern_host::is_entity_id(id)) {

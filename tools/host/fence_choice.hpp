@@ -37,6 +37,9 @@ class FenceChoice {
   /// there is none: the plan is proven clear of all.
   bool add_broken(const tern::Trajectory& plan);
 
+  /// Marks the keep-out that was added first in the grid: the planner has no room for it. False if there is none left.
+  bool mark_first();
+
   /// Closes one of chosen() at all times: a keep-out for a while among which no plan was found. False if it is none.
   bool close(std::int32_t chosen);
 
@@ -45,7 +48,6 @@ class FenceChoice {
 
  private:
   bool is_full() const;
-  bool mark_first();
   FenceRecord record(std::size_t i) const;
   double clear_until(const FenceRecord& record, const tern::Trajectory& plan) const;
 

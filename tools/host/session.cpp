@@ -92,10 +92,15 @@ tern::Status Session::build_grid(PlanResult& result) {
 }
 
 PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
-  if (!exceeds_capacity(scenario.fences)) return plan_once(scenario, previous, previous_time);
+  if (!exceeds_capacity(scenario.fences)) {
+    PlanResult result = plan_once(scenario, previous, previous_time);
+    if (result.report.status != tern::Status::kFencePlanesFull) return result;
+  }
   FenceChoice choice(scenario);
   const auto has_changed = [&choice](const PlanResult& result) {
     if (result.ok()) return choice.add_broken(result.trajectory);
+    // The planner also counts the corners of fences, which are not known before.
+    if (result.report.status == tern::Status::kFencePlanesFull) return choice.mark_first();
     return result.report.status == tern::Status::kNoClearTime && choice.close(result.report.fence);
   };
   PlanResult result = plan_once(choice.chosen(), previous, previous_time);

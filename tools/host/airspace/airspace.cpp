@@ -113,10 +113,14 @@ class AirspaceMaker {
   }
 
   void fit(AirspaceEntry& entry) const {
+    if (entry.zone.kind == ZoneKind::kKeepIn && entry.zone.slants) {
+      throw std::invalid_argument("a keep-in whose top slants is not read: give its corners one height");
+    }
     if (!entry.zone.times.empty()) {
       if (!settings_.epoch) throw std::invalid_argument("it has times: give --epoch, when the flight's clock is 0");
       const Instant end = *settings_.epoch + static_cast<Instant>(settings_.hours * 3600.0) * kSecond;
-      entry.spans = spans_of(entry.zone.times, {*settings_.epoch, end}, settings_.events);
+      const Instant off = static_cast<Instant>(std::ceil(settings_.clock_error)) * kSecond;
+      entry.spans = spans_of(entry.zone.times, {*settings_.epoch - off, end + off}, settings_.events);
       if (entry.spans.empty()) {
         entry.left_out = "does not hold then";
         return;

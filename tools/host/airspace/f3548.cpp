@@ -5,6 +5,8 @@
 // keep-outs: others' flights and restrictions.
 #include "host/airspace/f3548.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 
 #include "host/airspace/formats.hpp"
@@ -60,6 +62,9 @@ Zone read_volume(const JsonNode& node, const Zone& like) {
   zone.areas.push_back(area_of_volume(volume));
   if (volume.has("altitude_lower")) zone.lower = altitude(volume.at("altitude_lower"));
   if (volume.has("altitude_upper")) zone.upper = altitude(volume.at("altitude_upper"));
+  if (zone.lower && zone.upper && zone.upper->metres < zone.lower->metres) {
+    volume.refuse("altitude_upper is below altitude_lower");
+  }
   Applicability when;
   if (node.has("time_start")) when.from = time(node.at("time_start"));
   if (node.has("time_end")) when.until = time(node.at("time_end"));
@@ -69,7 +74,8 @@ Zone read_volume(const JsonNode& node, const Zone& like) {
 }
 
 void read_reference(const JsonNode& reference, UtmEntity& entity) {
-  entity.id = reference.at("id").text();
+  entity.id = entity_id(reference.at("id").text());
+  if (entity.id.empty()) reference.at("id").refuse("an id must not be empty");
   entity.manager = reference.text_or("manager", "");
   entity.state = reference.text_or("state", "");
   entity.ovn = reference.text_or("ovn", "");
@@ -127,11 +133,16 @@ std::vector<UtmEntity> read_utm_entities(const JsonNode& document) {
   return out;
 }
 
+std::string entity_id(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 std::vector<UtmEntity> read_utm_file(const std::string& path) {
   const nlohmann::json json = parse_json(read_bytes(path, kMaxTextBytes), path);
   const JsonNode document(json, path);
   std::vector<UtmEntity> entities = read_utm_entities(document);
-  if (entities.empty()) {
+  if (entities.empty() && !document.has("operational_intents") && !document.has("constraints")) {
     document.refuse("no operational_intent, operational_intents, constraint or constraints, and no details of one");
   }
   return entities;

@@ -29,12 +29,15 @@ struct UtmEntity {
   std::vector<Zone> volumes;  ///< keep-outs with one area, heights above the ellipsoid, and one span of time
 };
 
-/// All entities of a document, in its order: of an intent first the nominal volumes, then the others. Throws
-/// RecordError.
+/// All entities of a document, in its order, which may be none: of an intent first the nominal volumes, then the
+/// others. Throws RecordError.
 std::vector<UtmEntity> read_utm_entities(const JsonNode& document);
 
 /// The same of a file.
 std::vector<UtmEntity> read_utm_file(const std::string& path);
+
+/// A UUID in lower case: the same one may be written in capitals.
+std::string entity_id(std::string text);
 
 /// When a volume of an entity holds; without a beginning or an end, from 1900 or until 2200.
 TimeSpan span_of(const Zone& volume);

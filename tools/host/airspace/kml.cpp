@@ -33,7 +33,10 @@ pugi::xml_node child(const pugi::xml_node& node, const char* name) {
   return {};
 }
 
-std::string trimmed(const std::string& text) {
+/// An element's text without the blanks around it. Comments and CDATA divide a text into several nodes.
+std::string text_of(const pugi::xml_node& node) {
+  std::string text;
+  for (const pugi::xml_node& c : node.children()) text += c.value();
   const std::size_t first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
@@ -90,7 +93,7 @@ class KmlReader {
 
   void placemark(const pugi::xml_node& node) {
     Zone zone;
-    zone.name = trimmed(child(node, "name").child_value());
+    zone.name = text_of(child(node, "name"));
     if (zone.name.empty()) zone.name = "Placemark";
     zone.type = "area";
     zone.place = place(node);
@@ -118,7 +121,7 @@ class KmlReader {
 
   /// A date is the whole day in UTC.
   std::optional<Instant> time(const pugi::xml_node& node, bool is_end) const {
-    const std::string text = trimmed(node.child_value());
+    const std::string text = text_of(node);
     if (text.empty()) return {};
     if (const std::optional<Instant> instant = parse_instant(text)) return instant;
     const std::optional<Instant> day = text.size() == 10 ? parse_instant(text + "T00:00:00Z") : std::nullopt;
@@ -126,11 +129,16 @@ class KmlReader {
     return is_end ? *day + kDay : *day;
   }
 
-  /// The corners of a ring, and the largest height among them.
-  std::vector<GeoPoint> ring(const pugi::xml_node& boundary, double& highest) const {
+  /// Of the corners of a ring.
+  struct Heights {
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
+  };
+
+  std::vector<GeoPoint> ring(const pugi::xml_node& boundary, Heights& heights) const {
     const pugi::xml_node node = child(child(boundary, "LinearRing"), "coordinates");
     if (!node) refuse(boundary, "a LinearRing with coordinates is missing");
-    std::string text = node.child_value();
+    std::string text = text_of(node);
     std::replace(text.begin(), text.end(), '\n', ' ');
     std::vector<GeoPoint> corners;
     for (const std::string& tuple : split_words(text, false)) {
@@ -143,7 +151,7 @@ class KmlReader {
       if (!(std::fabs(v[1]) <= 90.0)) refuse(node, "the latitude " + brief(v[1]) + " is beyond 90 degrees");
       if (!(std::fabs(v[0]) <= 360.0)) refuse(node, "the longitude " + brief(v[0]) + " is beyond 360 degrees");
       corners.push_back({v[1], v[0]});
-      highest = std::max(highest, v[2]);
+      heights = {std::min(heights.least, v[2]), std::max(heights.most, v[2])};
     }
     const bool closed = corners.size() > 1 && corners.front().latitude == corners.back().latitude &&
                         corners.front().longitude == corners.back().longitude;
@@ -155,20 +163,21 @@ class KmlReader {
   void polygon(const pugi::xml_node& node, const Zone& like) {
     Zone zone = like;
     zone.place = place(node);
-    double highest = 0.0, ignored = 0.0;
+    Heights heights, of_hole;
     ZoneArea area;
     const pugi::xml_node outer = child(node, "outerBoundaryIs");
     if (!outer) refuse(node, "the outerBoundaryIs is missing");
-    area.ring = ring(outer, highest);
+    area.ring = ring(outer, heights);
     for (const pugi::xml_node& c : node.children()) {
       if (local_name(c) == "outerBoundaryIs" && c != outer) refuse(c, "a Polygon has one outerBoundaryIs");
-      if (local_name(c) == "innerBoundaryIs") area.holes.push_back(ring(c, ignored));
+      if (local_name(c) == "innerBoundaryIs") area.holes.push_back(ring(c, of_hole));
     }
     zone.areas.push_back(area);
-    const std::string mode = trimmed(child(node, "altitudeMode").child_value());
-    const bool extruded = trimmed(child(node, "extrude").child_value()) == "1";
-    if (extruded && mode == "absolute") zone.upper = ZoneHeight{highest, HeightReference::kSeaLevel};
-    if (extruded && mode == "relativeToGround") zone.upper = ZoneHeight{highest, HeightReference::kGround};
+    const std::string mode = text_of(child(node, "altitudeMode")), extrude = text_of(child(node, "extrude"));
+    const bool extruded = extrude == "1" || extrude == "true";
+    if (extruded && mode == "absolute") zone.upper = ZoneHeight{heights.most, HeightReference::kSeaLevel};
+    if (extruded && mode == "relativeToGround") zone.upper = ZoneHeight{heights.most, HeightReference::kGround};
+    zone.slants = zone.upper && heights.least < heights.most;
     if (!zone.upper) zone.notes.push_back("not extruded from a height: taken for all heights");
     file_.zones.push_back(zone);
   }

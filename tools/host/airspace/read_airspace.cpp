@@ -20,12 +20,21 @@ bool is_ed269(const JsonNode& feature) {
   return feature.has("identifier") && feature.has("restriction");
 }
 
+/// GeoJSON may have any other keys as well.
+bool is_geojson(const JsonNode& document) {
+  if (!document.has("type") || !document.at("type").is_text()) return false;
+  const std::string& type = document.at("type").text();
+  return type == "FeatureCollection" || type == "Feature";
+}
+
 AirspaceFile read_json(const JsonNode& document) {
-  if (document.has("fileType") || document.has("geoFence")) return read_qgc_plan(document);
-  for (const char* key : {"operational_intent", "operational_intents", "constraint", "constraints", "details"}) {
-    if (document.has(key)) return read_f3548(document);
+  if (!is_geojson(document)) {
+    if (document.has("fileType") || document.has("geoFence")) return read_qgc_plan(document);
+    for (const char* key : {"operational_intent", "operational_intents", "constraint", "constraints", "details"}) {
+      if (document.has(key)) return read_f3548(document);
+    }
+    if (document.has("UASZoneList")) return read_ed269(document);
   }
-  if (document.has("UASZoneList")) return read_ed269(document);
   if (document.has("features") && document.at("features").is_array()) {
     const std::vector<JsonNode> features = document.at("features").items();
     if (std::any_of(features.begin(), features.end(), is_ed269)) return read_ed269(document);
@@ -42,7 +51,11 @@ AirspaceFile parse_airspace(const std::string& bytes, const std::string& name) {
   if (bytes.compare(0, 2, "PK") == 0) return read_kml(kml_of_kmz(bytes, name), name);
   std::size_t first = bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
   first = bytes.find_first_not_of(" \t\r\n", first);
-  if (first != std::string::npos && bytes[first] == '<') return read_kml(bytes, name);
+  if (first == std::string::npos) throw RecordError({name, 0}, "the file is empty");
+  if (bytes.compare(0, 2, "\xFF\xFE") == 0 || bytes.compare(0, 2, "\xFE\xFF") == 0) {
+    throw RecordError({name, 0}, "the file is in UTF-16: save it in UTF-8");
+  }
+  if (bytes[first] == '<') return read_kml(bytes, name);
   const nlohmann::json document = parse_json(bytes, name);
   return read_json(JsonNode(document, name));
 }

@@ -54,6 +54,7 @@ struct Zone {
   std::vector<ZoneArea> areas;
   std::optional<ZoneHeight> lower;
   std::optional<ZoneHeight> upper;
+  bool slants = false;               ///< its top is not level, and `upper` the highest place of it
   std::vector<Applicability> times;  ///< none: always
   std::vector<std::string> notes;    ///< what the reader made of things that a format leaves open
 };

@@ -133,7 +133,7 @@ std::vector<TimeSpan> merged(std::vector<TimeSpan> spans) {
 
 std::optional<Instant> parse_instant(const std::string& text) {
   TimeReader reader(text);
-  const int year = reader.digits(4, kLastYear);
+  const int year = reader.digits(4, 9999);
   if (year < kFirstYear || !reader.take("-")) return {};
   const int month = reader.digits(2, 12);
   if (month < 1 || !reader.take("-")) return {};
@@ -143,6 +143,7 @@ std::optional<Instant> parse_instant(const std::string& text) {
   if (!time) return {};
   const std::optional<Instant> zone = offset(reader);
   if (!zone) return {};
+  if (year >= kLastYear) return days_to(kLastYear, 1, 1) * kDay;
   return days_to(year, month, day) * kDay + *time - *zone;
 }
 

@@ -19,8 +19,8 @@ using Instant = std::int64_t;
 constexpr Instant kSecond = 1000000000;
 constexpr Instant kDay = 86400 * kSecond;
 
-/// A date and time with a zone, of the years 1900 to 2200, such as 2026-03-01T09:30:00.5+01:00; a second 60 is the
-/// first of the next minute. Nothing for any other text.
+/// A date and time with a zone, from 1900 on, such as 2026-03-01T09:30:00.5+01:00; a second 60 is the first of the next
+/// minute. Any time after the beginning of 2200 is that. Nothing for any other text.
 std::optional<Instant> parse_instant(const std::string& text);
 
 /// A time of the day with a zone, such as 09:30Z or 18:00:00+01:00: nanoseconds since midnight in UTC, which may be
@@ -47,7 +47,7 @@ using DayEvents = std::map<std::string, Instant>;
 
 /// Parts of days. One that ends no later than it begins ends on the next day.
 struct DaySchedule {
-  bool days[7];  ///< Monday first; the days in UTC on which it begins
+  bool days[7];  ///< Monday first; the days on which it begins, in the zone of its first time
   DayTime from;
   DayTime until;
 };

@@ -3,6 +3,7 @@
 #include "host/intent/replan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -80,11 +81,12 @@ class Replan {
     return waits;
   }
 
-  /// The least delay: conflicts with a volume end only once that volume has ended, however the flight goes on.
+  /// The least delay: conflicts with a volume end only once that volume has ended, however the flight goes on. Where
+  /// the scenario's own fences leave no plan, it waits until one of them opens or closes.
   Proposal later(UtmEntity intent, std::vector<Conflict> conflicts) {
     Scenario scenario = scenario_;
+    scenario.start_time += waits_of(intent, conflicts).last;
     for (;;) {
-      scenario.start_time += waits_of(intent, conflicts).last;
       if (scenario.start_time - scenario_.start_time > settings_.longest_delay) {
         Proposal none;
         none.remedy = Remedy::kDelay;
@@ -93,9 +95,24 @@ class Replan {
         return none;
       }
       Proposal proposal = propose(Remedy::kDelay, scenario, conflicts);
-      if (proposal.free || !proposal.result.ok()) return proposal;
-      intent = proposal.intent;
+      const double change = next_change(scenario);
+      if (proposal.free || (!proposal.result.ok() && std::isinf(change))) return proposal;
+      scenario.start_time =
+          proposal.result.ok() ? scenario.start_time + waits_of(proposal.intent, conflicts).last : change;
     }
+  }
+
+  /// When the next fence of the scenario's own opens or closes after its start, s; infinite: none does.
+  static double next_change(const Scenario& scenario) {
+    double next = kInfinity;
+    for (const FenceRecord& record : scenario.fences) {
+      if (!tern::is_timed(record.fence)) continue;
+      for (const std::int64_t change : {record.fence.from, record.fence.until}) {
+        const double at = static_cast<double>(change) / static_cast<double>(kSecond) + record.fence.clock_error;
+        if (at + kMargin > scenario.start_time) next = std::min(next, at + kMargin);
+      }
+    }
+    return next;
   }
 
   /// At once, or else when a volume that the flight as asked would meet has ended, one after the other.
