@@ -44,6 +44,8 @@ TEST(Swarm, FliesTheSameAgain) {
   settings.clock_error = 0.01;
   const SwarmResult once = fly("swap-4:1", settings);
   EXPECT_EQ(once.hash, fly("swap-4:1", settings).hash);
+  settings.threads = 3;
+  EXPECT_EQ(once.hash, fly("swap-4:1", settings).hash);
   ++settings.seed;
   EXPECT_NE(once.hash, fly("swap-4:1", settings).hash);
 }

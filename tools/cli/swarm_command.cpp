@@ -136,6 +136,7 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
   command->add_option("--silent-from", s.links.silent_from, "From then on, s");
   command->add_option("--clock-error", s.clock_error, "By how much two clocks differ at most, s")
       ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--threads", s.threads, "Threads that compute")->check(CLI::Range(1, 256));
   command->add_option("--restarts", s.restarts, "How often each vehicle begins anew in its fleet, per second")
       ->check(CLI::Range(0.0, 10.0));
   command->add_option("--send-hz", s.send_hz, "Rounds of packets a second")

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
+#include <future>
 #include <memory>
+#include <utility>
 
 #include "host/flight/vectors.hpp"
 
@@ -16,6 +18,14 @@ namespace {
 double processor_time() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
+
+/// What a vehicle hears and sends in a tick, apart from all others.
+class Mailbox : public Carrier {
+ public:
+  void send(int, const Packet& packet, std::int64_t) override { sent.push_back(packet); }
+  std::vector<Packet> receive(int, std::int64_t) override { return std::move(heard); }
+  std::vector<Packet> heard, sent;
+};
 
 class Swarm {
  public:
@@ -35,6 +45,8 @@ class Swarm {
       if (record != nullptr) record->vehicles.push_back({1000000000 + offset, {}});
     }
     result_.members.resize(vehicles_.size());
+    boxes_ = std::vector<Mailbox>(vehicles_.size());
+    did_.resize(vehicles_.size());
     if (record == nullptr) return;
     record->world = world.name;
     record->settings = settings;
@@ -47,7 +59,7 @@ class Swarm {
     const auto end = static_cast<std::int64_t>(1e9 * world_.time_limit);
     std::int64_t film_next = 0;
     for (now_ = 0; now_ < end && result_.arrived() < count(); now_ += step) {
-      for (int k = 0; k < count(); ++k) tick(k);
+      tick();
       watch_.look(now_, now_ + step);
       note_positions(step);
       if (now_ >= film_next) {
@@ -64,11 +76,36 @@ class Swarm {
  private:
   int count() const { return static_cast<int>(world_.tasks.size()); }
 
-  void tick(int k) {
-    SwarmVehicle& vehicle = *vehicles_[static_cast<std::size_t>(k)];
+  /// All vehicles tick at once: what one sends, the others hear from the next tick on. So the number of threads changes
+  /// nothing.
+  void tick() {
+    Carrier& carrier = recording_ ? static_cast<Carrier&>(*recording_) : links_;
+    for (int k = 0; k < count(); ++k) boxes_[static_cast<std::size_t>(k)].heard = carrier.receive(k, now_);
+    const int threads = std::min(settings_.threads, count());
+    std::vector<std::future<void>> others;
+    for (int first = 1; first < threads; ++first) {
+      others.push_back(std::async(std::launch::async, [this, first, threads] { tick_some(first, threads); }));
+    }
+    tick_some(0, threads);
+    for (std::future<void>& other : others) other.get();
+    for (int k = 0; k < count(); ++k) {
+      std::vector<Packet>& sent = boxes_[static_cast<std::size_t>(k)].sent;
+      for (const Packet& packet : sent) carrier.send(k, packet, now_);
+      sent.clear();
+      if (recording_) recording_->end_tick(k, vehicles_[static_cast<std::size_t>(k)]->at(now_).position);
+      note(k, did_[static_cast<std::size_t>(k)]);
+    }
+  }
+  /// Every `step`th vehicle from `first` on.
+  void tick_some(int first, int step) {
+    for (auto k = static_cast<std::size_t>(first); k < vehicles_.size(); k += static_cast<std::size_t>(step)) {
+      did_[k] = vehicles_[k]->tick(now_, boxes_[k]);
+    }
+  }
+
+  void note(int k, const SwarmTick& did) {
+    const SwarmVehicle& vehicle = *vehicles_[static_cast<std::size_t>(k)];
     SwarmMember& member = result_.members[static_cast<std::size_t>(k)];
-    const SwarmTick did = recording_ ? vehicle.tick(now_, *recording_) : vehicle.tick(now_, links_);
-    if (recording_) recording_->end_tick(k, vehicle.at(now_).position);
     member.commits += did.committed ? 1 : 0;
     member.unasked += did.unasked ? 1 : 0;
     result_.disagreed += did.agrees ? 0 : 1;
@@ -131,6 +168,8 @@ class Swarm {
   std::unique_ptr<RecordingCarrier> recording_;
   SwarmWatch watch_;
   std::vector<std::unique_ptr<SwarmVehicle>> vehicles_;
+  std::vector<Mailbox> boxes_;  ///< of each vehicle
+  std::vector<SwarmTick> did_;  ///< by each vehicle, in this tick
   SwarmResult result_;
   std::int64_t now_ = 0;
 };

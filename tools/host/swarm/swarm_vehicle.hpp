@@ -20,6 +20,7 @@ namespace tern_host {
 struct SwarmSettings {
   LinkSettings links;
   std::uint64_t seed = 1;  ///< of links and clocks
+  int threads = 1;         ///< that compute; they change nothing
   double tick_hz = 50.0;
   double late = 0.0;         ///< s that ticks may be late, at most
   double send_hz = 20.0;     ///< rounds of packets that each vehicle sends
