@@ -12,7 +12,7 @@ namespace tern {
 void FlightState::begin_cycle() noexcept {
   const bool is_free = !facts.plans.has_waiting && !evasion.stop_asked && !watch.is_running;
   if (!facts.itinerary.goes_on() || !is_free || !facts.map.safe().bound() || look_out()) return;
-  draft.begin(facts, kSidestepTicks + facts.clearance_ticks());
+  draft.begin(facts, sidestep_ticks(facts.spec) + facts.clearance_ticks());
   if (cycle.begin_sidestep(facts, draft, tick_work)) {
     ++report.asked;
     return;

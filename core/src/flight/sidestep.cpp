@@ -94,6 +94,10 @@ int Sidesteps::score_of(const FlightFacts& flight, const TrackTable& expected, D
   return kPerStep * steps + static_cast<int>(side);
 }
 
+std::int64_t sidestep_ticks(const FlightSpec& spec) noexcept {
+  return std::int64_t{kSidestepWork / (spec.work_per_tick / 2)} + 2;
+}
+
 bool is_in_the_way(const FlightFacts& flight, const TrackTable& expected, std::int64_t takeover, int& stays,
                    Work& work) noexcept {
   const Commitment& latest = flight.plans.latest();

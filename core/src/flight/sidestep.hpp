@@ -19,8 +19,8 @@ namespace tern {
 /// The sides are those of a cube, its edges and its corners, seen from its middle; each is tried with two lengths.
 constexpr int kSides = 26;
 constexpr int kSidesteps = 2 * kSides;
-/// Ticks from the beginning of a sidestep to its takeover.
-constexpr std::int64_t kSidestepTicks = 5;
+/// Units to judge all of them and to prove some.
+constexpr std::uint32_t kSidestepWork = 6000;
 
 struct Sidesteps {
   int stays;                       ///< for so many steps the end of the committed plan stays clear
@@ -38,6 +38,9 @@ struct Sidesteps {
   bool next() noexcept;
   int score_of(const FlightFacts& flight, const TrackTable& expected, Draft& draft, Work& work) const noexcept;
 };
+
+/// Ticks from the beginning of a sidestep to its takeover.
+std::int64_t sidestep_ticks(const FlightSpec& spec) noexcept;
 
 /// True if the vehicle rests soon after this takeover, where a thing is expected within a short time. `stays` receives
 /// for how many steps that place stays clear.
