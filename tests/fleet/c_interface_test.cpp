@@ -64,6 +64,8 @@ TEST(FleetC, TheSameThroughC) {
   EXPECT_EQ(tern_fleet_traffic(a.get(), 10, tracks, 2, pieces, 4, &count), 0);
   EXPECT_EQ(count, 1);
   EXPECT_EQ(tern_fleet_traffic(a.get(), 10, nullptr, 2, pieces, 4, &count), kInvalid);
+  EXPECT_EQ(tern_fleet_traffic(a.get(), 10, nullptr, -1, pieces, 4, &count),
+            static_cast<std::uint8_t>(tern::Status::kTracksFull));
   tern_fleet_withdraw(a.get(), 11);
   tern_fleet_leave(a.get(), 11);
   EXPECT_EQ(tern_fleet_announce(a.get(), &plan, 20, 12), kInvalid);

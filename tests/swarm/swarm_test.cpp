@@ -160,7 +160,9 @@ TEST(Swarm, AllRestWithoutLinks) {
 }
 
 TEST(SwarmWorld, RefusesNamesThatAreNone) {
-  for (const char* name : {"", "swap", "swap-8", "swap:1", "swap-0:1", "swap-1001:1", "other-3:1", "swap-x:1"}) {
+  for (const char* name :
+       {"", "swap", "swap-8", "swap:1", "swap-0:1", "swap-1001:1", "other-3:1", "swap-x:1", "swap-3.5:1",
+        "swap-8:", "swap-8:x", "swap-8:1x", "swap-8:-1", "swap-2:99999999999999999999999"}) {
     EXPECT_THROW(swarm_world(name), std::runtime_error) << name;
   }
   EXPECT_EQ(swarm_world("T10-7:3").tasks.size(), 7u);

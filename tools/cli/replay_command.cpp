@@ -76,12 +76,12 @@ int replay(const ReplayOptions& options) {
   try {
     const std::string bytes = tern_host::read_bytes(path, kMostBytes);
     if (tern_host::is_flight_record(bytes)) return replay_flight(options, bytes);
-    if (tern_host::is_swarm_record(bytes)) return replay_swarm(path, bytes);
     if (!options.html.empty()) throw std::runtime_error("--html shows recorded flights, and this is none");
+    if (tern_host::is_swarm_record(bytes)) return replay_swarm(path, bytes);
     return replay_plan(path, bytes);
   } catch (const tern_host::RecordError&) {
     throw;
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
 }

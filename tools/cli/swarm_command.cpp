@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -74,7 +75,39 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
   }
 }
 
+/// What the ranges of single options do not say: they let through what is no number, too.
+void check_options(const SwarmOptions& options) {
+  const tern_host::SwarmSettings& s = options.settings;
+  const double numbers[] = {s.links.loss,
+                            s.links.burst,
+                            s.links.delay_min,
+                            s.links.delay_max,
+                            s.links.repeated,
+                            s.links.silent_from,
+                            s.clock_error,
+                            s.restarts,
+                            s.send_hz,
+                            s.clearance,
+                            s.late};
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) throw std::runtime_error("all numbers must be finite");
+  }
+  if (s.links.delay_min > s.links.delay_max) throw std::runtime_error("--delay-min must be at most --delay");
+  const std::vector<double>& partition = options.partition;
+  if (!partition.empty() && !(partition[0] < partition[1])) {
+    throw std::runtime_error("--partition must begin before it ends");
+  }
+}
+
+void check_vehicles(const tern_host::LinkSettings& links, std::size_t count) {
+  for (const int vehicle : {links.deaf, links.silent}) {
+    if (vehicle >= -1 && vehicle < static_cast<int>(count)) continue;
+    throw std::runtime_error("--deaf and --silent take the number of a vehicle, 0 to " + std::to_string(count - 1));
+  }
+}
+
 int fly(SwarmOptions& options) {
+  check_options(options);
   check_output_paths({}, {options.json, options.record, options.html});
   if (!options.record.empty() && options.runs > 1) throw std::runtime_error("--record takes one run");
   if (!options.html.empty()) tern_host::check_page(static_cast<std::size_t>(options.runs));
@@ -84,6 +117,7 @@ int fly(SwarmOptions& options) {
   std::string json;
   for (int run = 0; run < options.runs; ++run) {
     const tern_host::SwarmWorld world = tern_host::swarm_world(member_of(options.world, run));
+    check_vehicles(options.settings.links, world.tasks.size());
     tern_host::SwarmSettings settings = options.settings;
     settings.seed += static_cast<std::uint64_t>(run);
     tern_host::SwarmRecord record;

@@ -231,8 +231,9 @@ class Flight {
   /// Answers that question. A plan that may be flown is proven once more, on the map as it is, then committed:
   /// proposal() is 0 from now on, and FlightReport::committed rises or, if that fails, FlightReport::failed or dropped.
   /// Any other plan is dropped, the committed one stays, and the next one is asked for. The answer may be changed to
-  /// false until the plan takes over: then it is not flown, and FlightReport::dropped rises. kOk; kInvalidArgument if
-  /// no plan with this number waits.
+  /// false before the tick at which the plan takes over: then it is not flown, and FlightReport::dropped rises. Not so
+  /// for a plan that goes on along the committed one, which counts as flown from its commit on. kOk; kInvalidArgument
+  /// if no plan with this number waits.
   Status answer(uint32_t number, bool may_fly) noexcept;
   /// Gives answers another time than FlightSpec::clearance did, from the next plan on. kOk; kInvalidArgument for a time
   /// that is not above 0 and at most 10 s, for a flight whose plans need no clearance, or before start().

@@ -38,7 +38,7 @@ void drop_past(std::int64_t now, TrackPiece* pieces, Track& track) {
 
 Status add_track(const FleetMemory& fleet, const Peer& peer, std::int8_t plan, std::int64_t now, Traffic& traffic) {
   const Assembly<kMaxPlanBytes>& theirs = peer.plans[plan];
-  if (is_full(traffic.count == traffic.room)) return Status::kTracksFull;
+  if (is_full(traffic.count >= traffic.room)) return Status::kTracksFull;
   if (is_full(read_piece_count(theirs.bytes, theirs.size) + 1 > traffic.piece_room)) return Status::kTrackPiecesFull;
   Track& track = traffic.tracks[traffic.count];
   read_plan(theirs.bytes, theirs.size, fleet.spec.clock_error, traffic.pieces, track);

@@ -145,6 +145,10 @@ struct Cycle {
 
   /// A copy or a proof reads the map, which must not change meanwhile.
   bool reads_map() const noexcept;
+  /// False while it looks for a sidestep, and while others look at the plan: what is late then is no plan.
+  bool is_planning() const noexcept {
+    return job != Job::kSidestep && job != Job::kAnswer && job != Job::kCleared && job != Job::kRenew;
+  }
 
  private:
   void ask(const FlightFacts& flight) noexcept;

@@ -196,7 +196,7 @@ void FlightState::enter_draft() noexcept {
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
-  if (cycle.job == Job::kSidestep) facts.itinerary.forgive_plans();
+  if (cycle.gave_way && cycle.steps_aside && !evasion.is_running) facts.itinerary.forgive_plans();
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();

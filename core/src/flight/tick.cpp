@@ -105,8 +105,7 @@ void FlightState::advance() noexcept {
   if (is_busy() && facts.time > draft.deadline) {
     ++report.dropped;
     if (evasion.is_running) evasion.miss(facts.itinerary.has_goal);
-    const bool is_plan = !evasion.is_running && cycle.job != Job::kAnswer && cycle.job != Job::kSidestep;
-    if (is_plan) cycle.lead.note_late();
+    if (!evasion.is_running && cycle.is_planning()) cycle.lead.note_late();
     cycle.job == Job::kAnswer ? cycle.leave() : give_up();
   }
   if (facts.spec.clearance > 0) evasion.forget_wishes();

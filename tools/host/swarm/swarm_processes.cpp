@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
@@ -106,7 +107,8 @@ class Processes {
     const Bytes result = process.result();
     put(parent, result.data(), result.size());
     return 0;
-  } catch (const std::exception&) {
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tern: %s\n", error.what());
     return 1;
   }
 

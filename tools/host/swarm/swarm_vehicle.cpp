@@ -24,6 +24,8 @@ constexpr int kSlideRoom = 40;
 
 /// Plans wait no longer than that for answers, ns.
 constexpr std::int64_t kMostPatience = 6'000'000'000;
+/// The longest that a flight may be told to wait for an answer, s.
+constexpr double kLongestWait = 10.0;
 
 /// Metres between what a vehicle flies and what its fleet says, at most: both are the same plan.
 constexpr double kAgree = 1e-9;
@@ -121,10 +123,11 @@ void SwarmVehicle::begin_fleet(std::int64_t time) {
   }
 }
 
-/// What an exchange takes if nothing is lost, ns.
+/// What an exchange takes if nothing is lost, ns; at most what a flight waits.
 std::int64_t SwarmVehicle::least_patience() const {
   if (settings_.clearance > 0.0) return nanoseconds(settings_.clearance);
-  return nanoseconds(2.0 * settings_.links.delay_max + 2.0 / settings_.send_hz + 3.0 / settings_.tick_hz);
+  const double exchange = 2.0 * settings_.links.delay_max + 2.0 / settings_.send_hz + 3.0 / settings_.tick_hz;
+  return nanoseconds(std::min(exchange, kLongestWait));
 }
 
 /// Plans wait half as long again as the answers to the last ones took, and twice as long if those waited in vain.

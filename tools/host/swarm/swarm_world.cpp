@@ -3,8 +3,8 @@
 #include "host/swarm/swarm_world.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "host/flight/flight_world.hpp"
@@ -174,6 +174,15 @@ constexpr Family kFamilies[] = {
     {"field", "random starts and goals at 3 m/s in a field that grows with the number", field},
 };
 
+/// The digits of a text from one place until another. False if that is not all there is, or too large.
+template <typename Whole>
+bool read_whole(const std::string& text, std::size_t from, std::size_t until, Whole& value) {
+  if (from >= until) return false;
+  const char* const last = text.data() + until;
+  const std::from_chars_result read = std::from_chars(text.data() + from, last, value);
+  return read.ec == std::errc() && read.ptr == last;
+}
+
 }  // namespace
 
 std::string swarm_families() {
@@ -183,14 +192,15 @@ std::string swarm_families() {
 }
 
 SwarmWorld swarm_world(const std::string& name) {
-  const std::size_t dash = name.find('-');
-  const std::size_t colon = name.find(':');
+  const std::size_t dash = std::min(name.find('-'), name.size());
+  const std::size_t colon = std::min(name.find(':', dash), name.size());
   const std::string family = name.substr(0, dash);
-  const bool has_parts = dash != std::string::npos && colon != std::string::npos && dash < colon;
-  const int count = has_parts ? std::atoi(name.c_str() + dash + 1) : 0;
+  int count = 0;
+  std::uint64_t seed = 0;
+  const bool is_name = read_whole(name, dash + 1, colon, count) && read_whole(name, colon + 1, name.size(), seed);
   for (const Family& known : kFamilies) {
-    if (known.name != family || count < 1 || count > 1000) continue;
-    Noise random(std::strtoull(name.c_str() + colon + 1, nullptr, 10));
+    if (!is_name || known.name != family || count < 1 || count > 1000) continue;
+    Noise random(seed);
     SwarmWorld world = known.make(count, random);
     world.name = name;
     return world;
