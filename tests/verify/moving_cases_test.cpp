@@ -66,7 +66,7 @@ TEST(MovingCases, WallsWithAGapInPlaceOrTime) {
   expect_within(kAlone, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 0 3");
   expect_within(13.5, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 2 9");
   expect_within(36.0, kStart + "keepout 9 -1 -1.5 11 11 4.5 during 0 30");
-  expect_within(13.0, kStart + "keepout_halfspaces 1 0.2 0 12 -1 -0.2 0 -10 during 2 9");
+  expect_within(13.1, kStart + "keepout_halfspaces 1 0.2 0 12 -1 -0.2 0 -10 during 2 9");
   expect_within(12.0, kStart + "keepin 0 0 0 11 10 3 during -1 20\nkeepin 9 0 0 20 10 3 during 8 60");
 }
 

@@ -22,7 +22,8 @@ constexpr double kForSide = 15.0;
 Vec3 side_of(int number) {
   const int n = number % kSides;
   const int cell = n < kSides / 2 ? n : n + 1;  // without the middle
-  const Vec3 side{cell % 3 - 1.0, cell / 3 % 3 - 1.0, cell / 9 - 1.0};
+  const int along[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
+  const Vec3 side{static_cast<double>(along[0]), static_cast<double>(along[1]), static_cast<double>(along[2])};
   return (1.0 / length(side)) * side;
 }
 
