@@ -197,6 +197,8 @@ uint8_t tern_flight_forget_track(tern_flight* flight, uint32_t id);
 uint32_t tern_flight_proposal(const tern_flight* flight, tern_trajectory* plan, int64_t* takeover);
 /* Answers that question. ok, or invalid_argument if no plan with this number waits. */
 uint8_t tern_flight_answer(tern_flight* flight, uint32_t number, bool may_fly);
+/* Gives answers so many nanoseconds, from the next plan on. ok; invalid_argument if not above 0 and at most 10 s, or if
+   the flight's plans need no clearance. */
 uint8_t tern_flight_set_clearance(tern_flight* flight, int64_t clearance);
 /* Until when the place where the committed plan ends stays clear of all things that move; INT64_MAX: for long. */
 int64_t tern_flight_rest_clear_until(const tern_flight* flight);

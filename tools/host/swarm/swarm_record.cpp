@@ -19,7 +19,7 @@ void hash_bytes(const void* bytes, std::size_t size, std::uint64_t& hash) {
   for (std::size_t k = 0; k < size; ++k) hash = (hash ^ static_cast<const unsigned char*>(bytes)[k]) * 0x100000001B3u;
 }
 
-/// Calls `visit(name, value)` for everything that decides what vehicles do, besides what they hear.
+/// Calls `visit(name, value)` for each setting that a vehicle's behaviour depends on.
 template <typename Settings, typename Visit>
 void visit_settings(Settings& settings, Visit visit) {
   visit("seed", settings.seed);
