@@ -19,7 +19,7 @@ bool has_given_up(const tern::FlightReport& report) {
   return report.mode == tern::FlightMode::kRest &&
          (r == Reason::kNearest || r == Reason::kNoProgress || r == Reason::kGoalUnseen || r == Reason::kHemmedIn ||
           r == Reason::kViaBlocked || r == Reason::kViaUnreachable || r == Reason::kGroundUnseen ||
-          r == Reason::kGroundUneven);
+          r == Reason::kGroundUneven || r == Reason::kHeldUp);
 }
 
 /// It is not under way: without a goal, at the goal, or because no frames come, which is said elsewhere.

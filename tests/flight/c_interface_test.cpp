@@ -86,9 +86,12 @@ TEST(FlightC, TakesThingsThatMove) {
   track.velocity = {-1.0, 0.0, 0.0};
   EXPECT_EQ(tern_flight_update_track(&c.flight, nullptr), kInvalid);
   EXPECT_EQ(tern_flight_update_track(&c.flight, &track), kOk);
+  tern_flight_report report{};
+  EXPECT_EQ(tern_flight_tick(&c.flight, 0, &report), kOk);
   EXPECT_LT(tern_flight_rest_clear_until(&c.flight), 3000000000);
   EXPECT_EQ(tern_flight_forget_track(&c.flight, 8), kInvalid);
   EXPECT_EQ(tern_flight_forget_track(&c.flight, 9), kOk);
+  EXPECT_EQ(tern_flight_tick(&c.flight, 10000000, &report), kOk);
   EXPECT_EQ(tern_flight_rest_clear_until(&c.flight), INT64_MAX);
   EXPECT_STREQ(tern_blocked_by_text(TERN_BLOCKED_BY_TRACK), "something that moves");
 }

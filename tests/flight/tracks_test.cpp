@@ -195,19 +195,90 @@ TEST(FlightTracks, SaysUntilWhenTheRestIsClear) {
   Track track = seen(1, room.start + Vec3{5.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 0, 0.0);
   track.error = track.error_speed = 0.0;
   EXPECT_EQ(room.flight.update_track(track), Status::kOk);
+  EXPECT_EQ(room.flight.rest_clear_until(), INT64_MAX);  // as the last tick knew it
+  room.tick();
   const auto expect_clear_until = [&](double until) {
     // It may be too early by a piece of the proof: an hour, halved kTrackDepth times.
     EXPECT_LE(1e-9 * static_cast<double>(room.flight.rest_clear_until()), until);
     EXPECT_GE(1e-9 * static_cast<double>(room.flight.rest_clear_until()), until - kRestHorizon / (1 << kTrackDepth));
   };
   expect_clear_until(4.2);
-  for (int k = 0; k < 100; ++k) room.tick();
+  for (int k = 0; k < 98; ++k) room.tick();
   expect_clear_until(4.2);
   EXPECT_EQ(room.flight.set_clock(std::int64_t{100000000000}), Status::kOk);  // it shows 1 s later than so far
   expect_clear_until(100.0 + 4.2 - 1.0);
   EXPECT_EQ(room.flight.forget_track(1), Status::kOk);
+  room.time = 100000000000;
+  room.tick();
   EXPECT_EQ(room.flight.rest_clear_until(), INT64_MAX);
   EXPECT_EQ(Flight{}.rest_clear_until(), INT64_MAX);
+}
+
+// Sixteen balls that come from 5 m away, next to the way of the rest, take more than a quarter of a tick of 256 units:
+// a few ticks. Until then nothing is said to be clear. The answer is then that of a flight with more work.
+TEST(FlightTracks, SaysSoLaterIfTheProofTakesLong) {
+  std::int64_t until[2];
+  int ticks[2] = {0, 0};
+  for (const int k : {0, 1}) {
+    FlightRoom room(FlightRoom::flight_spec(k == 0 ? 4000 : 256));
+    room.tick();
+    for (std::uint32_t id = 1; id <= 16; ++id) {
+      const Vec3 from{5.0, 0.05 * id, 0.0};
+      Track track = seen(id, room.start + from, {-1.0, 0.0, 0.0}, 0, 0.0);
+      track.reach = 1.5;
+      EXPECT_EQ(room.flight.update_track(track), Status::kOk);
+    }
+    do {
+      room.tick();
+      EXPECT_LE(room.report.work, room.spec.work_per_tick);
+      until[k] = room.flight.rest_clear_until();
+    } while (++ticks[k] < 100 && room.state().rest.is_running);
+    EXPECT_FALSE(room.state().rest.is_running);
+  }
+  EXPECT_EQ(ticks[0], 1);
+  EXPECT_GT(ticks[1], 1);
+  EXPECT_NEAR(1e-9 * static_cast<double>(until[0]), 3.7, 0.4);
+  EXPECT_NEAR(1e-9 * static_cast<double>(until[1]), 1e-9 * static_cast<double>(until[0]),
+              kRestHorizon / (1 << kTrackDepth));
+}
+
+// A ball that stays where the vehicle has to pass, or comes after it for ever: it gives up after a minute, and says
+// why. A new goal makes it try again.
+TEST(FlightTracks, GivesUpWhereThingsHoldItUpForAMinute) {
+  FlightRoom room;
+  const Vec3 goal{6.125, 0.125, 1.125};
+  room.flight.set_goal(goal);
+  Track track = seen(1, goal, {}, 0, 0.0);
+  track.error_speed = 0.0;
+  EXPECT_EQ(room.flight.update_track(track), Status::kOk);
+  EXPECT_EQ(room.fly(6500), FlightReason::kHeldUp);
+  EXPECT_GT(room.time, kPatience);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kTrack);
+  EXPECT_EQ(room.flight.forget_track(1), Status::kOk);
+  room.flight.set_goal(goal);
+  EXPECT_EQ(room.fly(), FlightReason::kArrived);
+}
+
+// Hunters from four sides pin the vehicle or push it about: the flight ends.
+TEST(FlightTracks, GivesUpWhereItIsPushedOrPinnedForEver) {
+  FlightRoom room;
+  room.flight.set_goal({12.125, 0.125, 1.125});
+  Hunter hunters[4];
+  for (int k = 0; k < 4; ++k) {
+    const double far = k < 2 ? 3.0 : -3.0;
+    hunters[k] = {{k % 2 == 0 ? far : 0.0, k % 2 == 0 ? 0.0 : far, 1.0}, {}, 6.0, 3.0};
+  }
+  int ticks = 0;
+  for (; ticks < 10000 && !room.state().facts.itinerary.parked; ++ticks) {
+    for (std::uint32_t id = 0; id < 4 && ticks % 10 == 0; ++id) {
+      Track track = seen(id, hunters[id].position, hunters[id].velocity, room.time, hunters[id].acceleration);
+      track.reach = hunters[id].top;
+      EXPECT_EQ(room.flight.update_track(track), Status::kOk);
+    }
+    room.tick();
+    for (Hunter& hunter : hunters) hunter.move(room.position(), 1e-9 * static_cast<double>(room.spec.tick));
+  }
+  EXPECT_EQ(room.report.reason, FlightReason::kHeldUp);
 }
 
 // A ball stays at the goal: the vehicle waits before it, does not give up, and arrives once the ball is gone.

@@ -50,7 +50,7 @@ TEST(FlightFaults, ReasonsHaveWords) {
     const std::string mode = flight_mode_name(static_cast<FlightMode>(k));
     const std::string reason = flight_reason_text(static_cast<FlightReason>(k));
     EXPECT_EQ(mode == "unknown", k > static_cast<int>(FlightMode::kThreat)) << k;
-    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kGoalUnseen)) << k;
+    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kHeldUp)) << k;
   }
 }
 

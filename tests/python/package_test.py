@@ -325,6 +325,7 @@ class Flights(unittest.TestCase):
         bird = tern.Track.of_class("bird", (4.0, 0.0, 1.5), velocity=(-1.0, 0.0, 0.0), radius=0.2, error=0.05,
                                    error_growth=0.0, reach=0.0)
         flight.update_track(7, bird)
+        flight.tick(0)
         # It is at the vehicle after it has flown 4 m less 0.35 + 0.2 + 0.05 m.
         self.assertAlmostEqual(1e-9 * flight.rest_clear_until(), 3.4, delta=0.02)
         with self.assertRaises(tern.TernError) as raised:

@@ -239,8 +239,9 @@ class Flight {
   /// that is not above 0 and at most 10 s, for a flight whose plans need no clearance, or before start().
   Status set_clearance(int64_t clearance) noexcept;
   /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, on the clock
-  /// of tick(): a vehicle that rests there may be run into later. INT64_MAX if nothing comes within kRestHorizon, or
-  /// before start(). Computes a proof: call it once a tick at most.
+  /// of tick(): a vehicle that rests there may be run into later. As the last tick knew them; it may be over. INT64_MAX
+  /// if nothing comes within kRestHorizon, or before start(). While the proof takes more than a quarter of a tick's
+  /// work, the time at which it begins.
   int64_t rest_clear_until() const noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before

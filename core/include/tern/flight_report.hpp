@@ -73,6 +73,7 @@ enum class FlightReason : uint8_t {
   kGroundUnseen,    ///< it cannot land: the ground there, or what is above it, was not seen
   kGroundUneven,    ///< it cannot land: the ground there is not flat, or something is on it or above it
   kGoalUnseen,  ///< as kNoProgress: what the way to the goal needs was looked at in vain, or can be seen from nowhere
+  kHeldUp,  ///< things that move have kept it from going on, or pushed it, for a minute. set_goal() makes it try again
 };
 
 /// The views of a voxel that are remembered: the last ones.

@@ -113,7 +113,8 @@ enum {
   TERN_FLIGHT_LANDED = 11,          /* it stands where it was to land */
   TERN_FLIGHT_GROUND_UNSEEN = 12,   /* it cannot land: the ground there was not seen */
   TERN_FLIGHT_GROUND_UNEVEN = 13,   /* it cannot land: the ground there is not flat, or something is on it */
-  TERN_FLIGHT_GOAL_UNSEEN = 14      /* no progress: what the way to the goal needs can be seen from nowhere */
+  TERN_FLIGHT_GOAL_UNSEEN = 14,     /* no progress: what the way to the goal needs can be seen from nowhere */
+  TERN_FLIGHT_HELD_UP = 15          /* things that move have kept it from going on, or pushed it, for a minute */
 };
 /* What keeps the flight from going on. */
 enum {

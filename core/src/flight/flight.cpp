@@ -94,7 +94,9 @@ Status Flight::update_track(const Track& track) noexcept {
 }
 
 Status Flight::forget_track(uint32_t id) noexcept {
-  return state_ != nullptr && state_->facts.tracks.forget(id) ? Status::kOk : Status::kInvalidArgument;
+  if (state_ == nullptr || !state_->facts.tracks.forget(id)) return Status::kInvalidArgument;
+  state_->rest.note_news();
+  return Status::kOk;
 }
 
 uint32_t Flight::proposal(Trajectory& plan, int64_t& takeover) const noexcept {
@@ -115,7 +117,8 @@ Status Flight::set_clearance(int64_t clearance) noexcept {
 }
 
 int64_t Flight::rest_clear_until() const noexcept {
-  return state_ == nullptr ? INT64_MAX : state_->facts.rest_clear_until();
+  const bool comes = state_ != nullptr && state_->rest.until < INT64_MAX;
+  return comes ? state_->facts.clock.shown_at(state_->rest.until) : INT64_MAX;
 }
 
 PointState Flight::point_state(int32_t point) const noexcept {

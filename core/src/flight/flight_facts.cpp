@@ -84,20 +84,6 @@ Status FlightFacts::read_track(const Track& measured, Track& taken) const noexce
   return is_ahead ? Status::kInvalidArgument : Status::kOk;
 }
 
-std::int64_t FlightFacts::rest_clear_until() const noexcept {
-  const Commitment& latest = plans.latest();
-  const double from = larger(latest.time_at(time), duration(latest.trajectory));
-  TrackGrounds grounds;
-  grounds.tracks = tracks.tracks;
-  grounds.count = tracks.count;
-  grounds.radius = map.safe().spec().clearance();
-  grounds.rest = kRestHorizon + (from - duration(latest.trajectory));
-  if (grounds.count == 0) return INT64_MAX;
-  ProofReport found;
-  const double until = clear_until(latest.trajectory, from, grounds, &found);
-  return found.finding == Finding::kNone ? INT64_MAX : clock.shown_at(latest.begin() + nanoseconds(until));
-}
-
 /// The window moves no further than it must: space that leaves it is forgotten, and may hold the only way to the goal.
 /// A window that is wide enough covers the horizon around the vehicle. No move cuts off the committed plan, with the
 /// radius around it.

@@ -60,8 +60,6 @@ struct FlightFacts {
   /// Reads a measurement of a thing that moves, at a time of the clock: see Flight::update_track(). `taken` receives it
   /// with the flight's times.
   Status read_track(const Track& measured, Track& taken) const noexcept;
-  /// Until when the place where the latest plan ends is clear of all tracks, on the clock; INT64_MAX if for long.
-  std::int64_t rest_clear_until() const noexcept;
   /// Moves the map's window after the vehicle, as far as it must.
   void follow_vehicle() noexcept;
 

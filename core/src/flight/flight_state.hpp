@@ -18,6 +18,7 @@
 #include "flight/flight_facts.hpp"
 #include "flight/lookouts.hpp"
 #include "flight/nose.hpp"
+#include "flight/rest_clear.hpp"
 #include "flight/rest_search.hpp"
 #include "flight/track_pieces.hpp"
 #include "flight/watch.hpp"
@@ -35,6 +36,7 @@ class FlightState {
   Watch watch;
   RestSearch search;
   Lookouts lookouts;
+  RestClear rest;
   Blockage block;  ///< what ended the last proof or plan to the goal
   Nose nose;
   TrackPieces pieces;  ///< of the curves in all tables of things that move

@@ -35,6 +35,7 @@ const char* flight_reason_text(FlightReason reason) noexcept {
     case FlightReason::kGroundUnseen: return "it cannot land: the ground there, or what is above it, was not seen";
     case FlightReason::kGroundUneven: return "it cannot land: the ground there is not flat, or something is on it";
     case FlightReason::kGoalUnseen: return "no view shows what the way to the goal needs: it was looked at in vain, or is seen from nowhere";
+    case FlightReason::kHeldUp: return "things that move have kept it from going on for a minute, without a way that can be proven";
     case FlightReason::kMapStale: return "no new frames come, and there is no way through what the map knows";
   }
   return "unknown";

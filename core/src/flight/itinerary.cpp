@@ -56,6 +56,8 @@ void Itinerary::begin(const Via* mission_points, std::int32_t point_count, ViaPo
 void Itinerary::try_anew() noexcept {
   parked = false;
   fruitless = wandering = 0;
+  held_up = 0;
+  is_held_up = false;
   nearest = -1.0;
   reason = FlightReason::kNone;
 }
@@ -118,12 +120,26 @@ LeftOut Itinerary::leave_out(std::int32_t point, FlightReason why) noexcept {
 bool Itinerary::count_plan(const FlightFacts& flight, const Vec3& from) noexcept {
   const double remaining = distance(from, points[leg].position);
   const bool comes_nearer = nearest < 0.0 || remaining < nearest - flight.map.safe().spec().cell;
-  if (comes_nearer) nearest = remaining;
+  if (comes_nearer) {
+    nearest = remaining;
+    held_up = 0;
+  }
   wandering = comes_nearer ? 0 : wandering + 1;
   const bool learns = flight.map.learned() - learned >= kLearned;
   if (learns) learned = flight.map.learned();
   fruitless = comes_nearer || learns ? 0 : fruitless + 1;
   return comes_nearer;
+}
+
+/// Plans that led nowhere so far do not count for a vehicle that is pushed away.
+void Itinerary::note_held_up(bool is) noexcept {
+  is_held_up = is;
+  if (is) fruitless = 0;
+}
+
+bool Itinerary::waits_too_long(std::int64_t gap) noexcept {
+  if (goes_on() && is_held_up) held_up += gap;
+  return held_up > kPatience;
 }
 
 std::int32_t Itinerary::after(std::int32_t point) const noexcept {

@@ -25,6 +25,9 @@ constexpr int kBlockedPlans = 3;
 constexpr int kFruitless = 150;
 constexpr std::uint64_t kLearned = 64;
 constexpr int kWandering = 1500;
+/// For so long, things that move may keep the vehicle where it is, or push it, without it coming nearer to the next
+/// point, nanoseconds.
+constexpr std::int64_t kPatience = 60000000000;
 
 /// What follows if a point cannot be reached.
 enum class LeftOut : std::uint8_t {
@@ -49,13 +52,17 @@ struct Itinerary {
   double nearest;         ///< the vehicle's least distance to the next point, metres; negative: not known yet
   int fruitless;          ///< new plans since the vehicle was nearest to that point, or learned something
   int wandering;          ///< new plans since the vehicle was nearest to that point
+  bool is_held_up;        ///< by things that move
+  std::int64_t held_up;   ///< for so long since the vehicle was nearest to that point, nanoseconds
   std::uint64_t learned;  ///< RollingMap::learned() when the vehicle last learned something
 
   void begin(const Via* mission_points, std::int32_t point_count, ViaPolicy mission_policy) noexcept;
   /// Forgets all reasons to give up.
   void try_anew() noexcept;
-  /// What moves made the vehicle leave its place: plans that led nowhere so far do not count.
-  void forgive_plans() noexcept { fruitless = wandering = 0; }
+  /// A thing that moves kept the vehicle from going on, or pushed it; or a plan leads on.
+  void note_held_up(bool is) noexcept;
+  /// Counts the time for which the vehicle is held up. True if that is too long.
+  bool waits_too_long(std::int64_t gap) noexcept;
   void park(FlightReason why) noexcept;
   void forget_goal() noexcept;
   void pass(std::int32_t point) noexcept { state[point] = PointState::kPassed; }

@@ -196,7 +196,7 @@ void FlightState::enter_draft() noexcept {
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
-  if (cycle.gave_way && cycle.steps_aside && !evasion.is_running) facts.itinerary.forgive_plans();
+  if (!evasion.is_running) facts.itinerary.note_held_up(cycle.steps_aside);
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();
@@ -221,6 +221,7 @@ void FlightState::give_up() noexcept {
   evasion.leave();
   // What moves will be elsewhere soon: there is no reason to look around, or to give up.
   const bool is_by_thing = block.by == BlockedBy::kTrack || cycle.steps_aside;
+  if (is_by_thing && facts.rests()) facts.itinerary.note_held_up(true);
   if (!facts.rests() || facts.itinerary.parked || is_by_thing) return;
   lookouts.note_failure(facts);
   if (!search.count_idle()) return;
@@ -253,7 +254,8 @@ void FlightState::park(FlightReason why) noexcept {
   if (why == FlightReason::kNoProgress && !is_fenced && lookouts.has_unseen(facts, unseen)) {
     why = FlightReason::kGoalUnseen;
   }
-  const bool is_general = why == FlightReason::kHemmedIn || why == FlightReason::kMapStale;
+  const bool is_general =
+      why == FlightReason::kHemmedIn || why == FlightReason::kMapStale || why == FlightReason::kHeldUp;
   const bool is_occupied = why == FlightReason::kNearest && !cycle.cut_off;
   if (facts.itinerary.leg != facts.itinerary.last() && !is_general) {
     leave_out(facts.itinerary.leg, is_occupied ? FlightReason::kViaBlocked : FlightReason::kViaUnreachable);

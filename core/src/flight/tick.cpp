@@ -22,6 +22,8 @@ void FlightState::tick(std::int64_t t) noexcept {
   lookouts.note_tick(facts, {report.asked, report.dropped});
   lookouts.follow(facts, nose, {report.asked, report.dropped});
   nose.turn(facts, looking_at(facts.time), lookouts.is_active(), report.committed, tick_work);
+  // The first tick of an evasion does not count, the later ones are for its brakes alone.
+  if (!evasion.is_running) rest.advance(facts, tick_work);
   advance();
   finish_report(facts.spec.work_per_tick - least(tick_work.units(), facts.spec.work_per_tick));
 }
@@ -84,6 +86,7 @@ Status FlightState::update_track(const Track& measured) noexcept {
   CommittedPlans& plans = facts.plans;
   const Status known = facts.tracks.update(taken, facts.time);
   if (known != Status::kOk) return known;
+  rest.note_news();
   // Who clears plans keeps curves clear of them.
   const bool is_cleared = taken.piece_count > 0 && facts.spec.clearance > 0;
   bool has_news = !is_cleared && plans.in_flight.tubes.take_news(taken, facts.tracks);
@@ -91,7 +94,9 @@ Status FlightState::update_track(const Track& measured) noexcept {
   if (waits) has_news = plans.waiting.tubes.take_news(taken, facts.tracks) || has_news;
   if (has_news) watch.prove_all();
   // What rested in the way may leave.
-  const bool is_stuck = facts.itinerary.parked && facts.itinerary.reason == FlightReason::kNoProgress;
+  const FlightReason reason = facts.itinerary.reason;
+  const bool is_stuck =
+      facts.itinerary.parked && (reason == FlightReason::kNoProgress || reason == FlightReason::kHeldUp);
   if (is_stuck && taken.piece_count > 0) try_anew();
   return Status::kOk;
 }
@@ -110,6 +115,8 @@ void FlightState::advance() noexcept {
   }
   if (facts.spec.clearance > 0) evasion.forget_wishes();
   if (evasion.is_called_for(facts, watch, is_busy(), draft.takeover)) begin_evasion();
+  const bool is_held_up = facts.itinerary.waits_too_long(facts.gap);
+  if (is_held_up && !is_busy() && facts.itinerary.goes_on()) park(FlightReason::kHeldUp);
   if (!is_busy()) begin_cycle();
   prove_anew();
   // A cycle has at most as many steps as jobs and candidates.
