@@ -27,22 +27,25 @@ double* triangle_column(QpSolver& solver, int j) {
   return solver.triangle + packed_column(j);
 }
 
+/// Columns that one pass of a projection handles. The sums of each column keep their order, whatever the number.
+constexpr int kProjected = kVectors ? kBatch : 2;
+
 void project_batch(const QpSolver& solver, int j, int begin, const double* v, double* out) {
-  Pair total[kBatch][2] = {};
+  Pair total[kProjected][2] = {};
   const double* q = column(solver, j);
   for (int i = begin; i < solver.stride; i += kPad) {
     const Pair low = pair(v + i);
     const Pair high = pair(v + i + kPair);
-    for (int b = 0; b < kBatch; ++b) {
+    for (int b = 0; b < kProjected; ++b) {
       total[b][0] += low * pair(q + b * solver.stride + i);
       total[b][1] += high * pair(q + b * solver.stride + i + kPair);
     }
   }
-  for (int b = 0; b < kBatch; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
+  for (int b = 0; b < kProjected; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
 }
 
 /// Two elements of the sum of four columns, each column times its coordinate.
-Pair combine(const Pair* c, const double* q, int stride) {
+[[gnu::always_inline]] inline Pair combine(const Pair* c, const double* q, int stride) {
   return (c[0] * pair(q) + c[1] * pair(q + stride)) + (c[2] * pair(q + 2 * stride) + c[3] * pair(q + 3 * stride));
 }
 
@@ -153,7 +156,7 @@ void rotate_basis(QpSolver& solver, int first, int last) {
 void project(const QpSolver& solver, int begin, const double* v, double* out) {
   const int k = solver.active_count;
   int j = 0;
-  for (; j + kBatch <= k; j += kBatch) project_batch(solver, j, begin, v, out);
+  for (; j + kProjected <= k; j += kProjected) project_batch(solver, j, begin, v, out);
   for (; j < k; ++j) out[j] = inner(column(solver, j), v, begin, solver.stride);
 }
 

@@ -8,7 +8,69 @@
 
 namespace tern::qp {
 
-using Pair __attribute__((vector_size(16), __may_alias__)) = double;
+/// A pair for targets without such registers. There, compilers keep vector types in memory, and copy them at each step.
+/// It copies number by number: as a whole, it would go through memory as well.
+struct __attribute__((__may_alias__)) PlainPair {
+  double first, second;
+
+  PlainPair() = default;
+  PlainPair(double a, double b) : first(a), second(b) {}
+  PlainPair(const PlainPair& other) : first(other.first), second(other.second) {}
+  PlainPair& operator=(const PlainPair& other) {
+    first = other.first;
+    second = other.second;
+    return *this;
+  }
+  double operator[](int k) const { return k == 0 ? first : second; }
+  double& operator[](int k) { return k == 0 ? first : second; }
+};
+inline PlainPair operator+(PlainPair a, PlainPair b) {
+  return {a.first + b.first, a.second + b.second};
+}
+inline PlainPair operator-(PlainPair a, PlainPair b) {
+  return {a.first - b.first, a.second - b.second};
+}
+inline PlainPair operator-(PlainPair a) {
+  return {-a.first, -a.second};
+}
+inline PlainPair operator*(PlainPair a, PlainPair b) {
+  return {a.first * b.first, a.second * b.second};
+}
+inline PlainPair& operator+=(PlainPair& a, PlainPair b) {
+  return a = a + b;
+}
+inline PlainPair& operator-=(PlainPair& a, PlainPair b) {
+  return a = a - b;
+}
+inline PlainPair& operator*=(PlainPair& a, PlainPair b) {
+  return a = a * b;
+}
+inline PlainPair larger_of(PlainPair a, PlainPair b) {
+  return {a.first > b.first ? a.first : b.first, a.second > b.second ? a.second : b.second};
+}
+
+using VectorPair __attribute__((vector_size(16), __may_alias__)) = double;
+inline VectorPair larger_of(VectorPair a, VectorPair b) {
+  return a > b ? a : b;
+}
+
+/// Stores two neighbours anywhere in an array of doubles.
+inline void store_two(PlainPair value, double* p) {
+  p[0] = value.first;
+  p[1] = value.second;
+}
+inline void store_two(VectorPair value, double* p) {
+  __builtin_memcpy(p, &value, sizeof value);
+}
+
+#if defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)
+#define TERN_VECTOR_PAIRS 1
+using Pair = VectorPair;
+#else
+#define TERN_VECTOR_PAIRS 0
+using Pair = PlainPair;
+#endif
+constexpr bool kVectors = TERN_VECTOR_PAIRS;
 
 constexpr int kPair = 2;
 /// Vectors are padded with zeros to a multiple of this, so that kernels need no tails.
@@ -27,18 +89,20 @@ inline Pair& pair(double* p) {
 }
 /// Loads two neighbours from anywhere in an array of doubles.
 inline Pair load_two(const double* p) {
+#if TERN_VECTOR_PAIRS
   Pair value;
   __builtin_memcpy(&value, p, sizeof value);
   return value;
-}
-inline void store_two(Pair value, double* p) {
-  __builtin_memcpy(p, &value, sizeof value);
+#else
+  return {p[0], p[1]};
+#endif
 }
 inline Pair both(double v) {
   return Pair{v, v};
 }
-inline Pair larger_of(Pair a, Pair b) {
-  return a > b ? a : b;
+/// The pair at `p` where both doubles are the same: without vectors, only one is read.
+inline Pair twice(const double* p) {
+  return kVectors ? pair(p) : both(*p);
 }
 inline double sum(Pair a) {
   return a[0] + a[1];

@@ -31,9 +31,9 @@ inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& s
     const double(*x)[2 * kQpAxes] = solver.spread + first.first;
     for (int t = 0; t < terms; ++t) {
       const Pair factor = {first.coefficient[t], second.coefficient[t]};
-      sum_x += factor * pair(x[t]);
-      sum_y += factor * pair(x[t] + kPair);
-      sum_z += factor * pair(x[t] + 2 * kPair);
+      sum_x += factor * twice(x[t]);
+      sum_y += factor * twice(x[t] + kPair);
+      sum_z += factor * twice(x[t] + 2 * kPair);
     }
   } else {
     const Value a = evaluate(first, solver);
@@ -60,7 +60,7 @@ inline Pair fill(const QpPoint* points, int count, const QpSolver& solver, Point
 
 /// The larger of the violations of the lower and the upper bound.
 inline Pair outside(Pair at, const double* low, const double* high) {
-  return larger_of(at - pair(high), pair(low) - at);
+  return larger_of(at - twice(high), twice(low) - at);
 }
 
 /// The largest violations of a group's box.
