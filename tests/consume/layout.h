@@ -56,7 +56,8 @@
   FIELD(tern_fleet_spec, speed) FIELD(tern_fleet_report, announcement) FIELD(tern_fleet_report, blocked)             \
   FIELD(tern_fleet_report, blocked_by) FIELD(tern_fleet_report, cleared) FIELD(tern_neighbour, id)                   \
   FIELD(tern_neighbour, incarnation) FIELD(tern_neighbour, heard) FIELD(tern_neighbour, priority)                    \
-  FIELD(tern_neighbour, has_right_of_way) FIELD(tern_neighbour, has_left) FIELD(tern_neighbour, ready)
+  FIELD(tern_neighbour, has_right_of_way) FIELD(tern_neighbour, has_left) FIELD(tern_neighbour, ready) \
+  FIELD(tern_neighbour, flies) FIELD(tern_neighbour, may_fly)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
   FIELD(tern_segment, duration) FIELD(tern_segment, points) FIELD(tern_segment, polyhedron)                          \

@@ -63,6 +63,12 @@ TEST(FleetC, TheSameThroughC) {
   std::int32_t count = 0;
   EXPECT_EQ(tern_fleet_traffic(a.get(), 10, tracks, 2, pieces, 4, &count), 0);
   EXPECT_EQ(count, 1);
+  EXPECT_EQ(tracks[0].kind, neighbour.flies);
+  EXPECT_EQ(neighbour.may_fly, 0u);
+  EXPECT_EQ(tern_fleet_traffic_of(a.get(), 0, 10, tracks, 2, pieces, 4, &count), 0);
+  EXPECT_EQ(count, 1);
+  EXPECT_EQ(tern_fleet_traffic_of(a.get(), 1, 10, tracks, 2, pieces, 4, &count), kInvalid);
+  EXPECT_EQ(tern_fleet_traffic_of(a.get(), 0, 10, nullptr, 2, pieces, 4, &count), kInvalid);
   EXPECT_EQ(tern_fleet_traffic(a.get(), 10, nullptr, 2, pieces, 4, &count), kInvalid);
   EXPECT_EQ(tern_fleet_traffic(a.get(), 10, nullptr, -1, pieces, 4, &count),
             static_cast<std::uint8_t>(tern::Status::kTracksFull));

@@ -19,11 +19,11 @@ constexpr int kPackets = 20000;
 constexpr std::int64_t kStep = 10000000;
 
 Packet packet_of(int number) {
-  return {static_cast<std::uint8_t>(number & 255), static_cast<std::uint8_t>(number >> 8)};
+  return std::vector<std::uint8_t>{static_cast<std::uint8_t>(number & 255), static_cast<std::uint8_t>(number >> 8)};
 }
 
 int number_of(const Packet& packet) {
-  return packet[0] + 256 * packet[1];
+  return packet.bytes()[0] + 256 * packet.bytes()[1];
 }
 
 /// The numbers of the packets of vehicle 0 as vehicle 1 gets them.

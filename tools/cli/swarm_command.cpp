@@ -29,6 +29,7 @@ struct SwarmOptions {
   bool processes = false;
   int runs = 1;
   std::vector<double> partition;
+  double time_limit = 0.0;
   tern_host::SwarmSettings settings;
 };
 
@@ -116,7 +117,8 @@ int fly(SwarmOptions& options) {
   bool all = true;
   std::string json;
   for (int run = 0; run < options.runs; ++run) {
-    const tern_host::SwarmWorld world = tern_host::swarm_world(member_of(options.world, run));
+    tern_host::SwarmWorld world = tern_host::swarm_world(member_of(options.world, run));
+    if (options.time_limit > 0.0) world.time_limit = options.time_limit;
     check_vehicles(options.settings.links, world.tasks.size());
     tern_host::SwarmSettings settings = options.settings;
     settings.seed += static_cast<std::uint64_t>(run);
@@ -170,6 +172,8 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
   command->add_option("--silent-from", s.links.silent_from, "From then on, s");
   command->add_option("--clock-error", s.clock_error, "By how much two clocks differ at most, s")
       ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--time-limit", options->time_limit, "s of flight at most (default: of the scene)")
+      ->check(CLI::Range(0.0, 3600.0));
   command->add_option("--threads", s.threads, "Threads that compute")->check(CLI::Range(1, 256));
   command->add_option("--restarts", s.restarts, "How often each vehicle begins anew in its fleet, per second")
       ->check(CLI::Range(0.0, 10.0));

@@ -30,6 +30,7 @@ typedef struct {
 typedef struct {
   uint16_t id; uint32_t incarnation; int64_t heard; uint8_t priority;
   bool has_right_of_way, has_left, ready;
+  uint32_t flies, may_fly;
 } tern_neighbour;
 /* clang-format on */
 #endif
@@ -79,7 +80,7 @@ typedef struct {
 } tern_fleet;
 
 /* The functions of tern::Fleet. Null is an invalid argument. Statuses: ok, invalid_argument; of tern_fleet_add() also
- * neighbours_full; of tern_fleet_traffic() also tracks_full and track_pieces_full. */
+ * neighbours_full; of tern_fleet_traffic() and tern_fleet_traffic_of() also tracks_full and track_pieces_full. */
 uint8_t tern_fleet_begin(tern_fleet* fleet, const tern_fleet_spec* spec, const tern_trajectory* flown, int64_t now);
 uint8_t tern_fleet_add(tern_fleet* fleet, uint16_t id, int64_t now);
 uint8_t tern_fleet_remove(tern_fleet* fleet, uint16_t id, int64_t now);
@@ -101,6 +102,8 @@ int32_t tern_fleet_neighbours(const tern_fleet* fleet);
 void tern_fleet_neighbour(const tern_fleet* fleet, int32_t index, tern_neighbour* neighbour);
 uint8_t tern_fleet_traffic(const tern_fleet* fleet, int64_t now, tern_track* tracks, int32_t room,
                            tern_track_piece* pieces, int32_t piece_room, int32_t* count);
+uint8_t tern_fleet_traffic_of(const tern_fleet* fleet, int32_t index, int64_t now, tern_track* tracks, int32_t room,
+                              tern_track_piece* pieces, int32_t piece_room, int32_t* count);
 
 #ifdef __cplusplus
 } /* extern "C" */

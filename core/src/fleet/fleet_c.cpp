@@ -122,4 +122,13 @@ std::uint8_t tern_fleet_traffic(const tern_fleet* fleet, std::int64_t now, tern_
   return code(of->traffic(now, tracks, room, pieces, piece_room, *count));
 }
 
+std::uint8_t tern_fleet_traffic_of(const tern_fleet* fleet, std::int32_t index, std::int64_t now, tern_track* tracks,
+                                   std::int32_t room, tern_track_piece* pieces, std::int32_t piece_room,
+                                   std::int32_t* count) {
+  const Fleet* const of = object(fleet);
+  const bool has_room = (room <= 0 || tracks != nullptr) && (piece_room <= 0 || pieces != nullptr);
+  if (of == nullptr || !has_room || count == nullptr) return kInvalid;
+  return code(of->traffic_of(index, now, tracks, room, pieces, piece_room, *count));
+}
+
 }  // extern "C"

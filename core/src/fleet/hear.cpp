@@ -51,8 +51,6 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
 Heard take_state(FleetMemory& fleet, Peer& peer, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,
                  std::int64_t now) {
   if (is_full(head.size > kMaxStateBytes)) return Heard::kTooLong;
-  // A state is sent again until it changes.
-  if (head.size == peer.state_size && head.crc == peer.state_crc) return Heard::kOld;
   if (!peer.arriving.is_of(head)) peer.arriving.open(head);
   peer.arriving.take(head, packet, size);
   if (peer.arriving.is_complete()) return hear_state(fleet, peer, now);
@@ -80,6 +78,9 @@ Heard Fleet::receive(const std::uint8_t* packet, std::int32_t size, std::int64_t
   if (p == fleet->peer_count) return Heard::kStranger;
 
   Peer& peer = fleet->peers[p];
+  // A state is sent again until it changes.
+  const bool is_state = head.form == form_of(MessageKind::kState);
+  if (is_state && head.size == peer.state_size && head.crc == peer.state_crc) return Heard::kOld;
   const Answer before = answer_to(peer);
   const std::uint32_t open = peer.state.open;
   const std::int8_t flown = peer.flown;

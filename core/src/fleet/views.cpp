@@ -59,6 +59,13 @@ std::int8_t other_plan(const FleetMemory& fleet, const Peer& peer) {
   return peer.state.open == 0 ? kNoPlan : find_plan(peer, peer.state.open);
 }
 
+Status add_tracks(const FleetMemory& fleet, const Peer& peer, std::int64_t now, Traffic& traffic) {
+  if (peer.flown == kNoPlan) return Status::kOk;
+  const Status status = add_track(fleet, peer, peer.flown, now, traffic);
+  const std::int8_t other = other_plan(fleet, peer);
+  return status != Status::kOk || other == kNoPlan ? status : add_track(fleet, peer, other, now, traffic);
+}
+
 }  // namespace
 
 Status Fleet::traffic(std::int64_t now, Track* tracks, std::int32_t room, TrackPiece* pieces, std::int32_t piece_room,
@@ -68,12 +75,18 @@ Status Fleet::traffic(std::int64_t now, Track* tracks, std::int32_t room, TrackP
   Traffic traffic{tracks, room, 0, pieces, piece_room};
   Status status = Status::kOk;
   for (std::int32_t p = 0; status == Status::kOk && p < fleet->peer_count; ++p) {
-    const Peer& peer = fleet->peers[p];
-    if (peer.flown == kNoPlan) continue;
-    status = add_track(*fleet, peer, peer.flown, now, traffic);
-    const std::int8_t other = other_plan(*fleet, peer);
-    if (status == Status::kOk && other != kNoPlan) status = add_track(*fleet, peer, other, now, traffic);
+    status = add_tracks(*fleet, fleet->peers[p], now, traffic);
   }
+  count = traffic.count;
+  return status;
+}
+
+Status Fleet::traffic_of(std::int32_t index, std::int64_t now, Track* tracks, std::int32_t room, TrackPiece* pieces,
+                         std::int32_t piece_room, std::int32_t& count) const noexcept {
+  const FleetMemory* const fleet = memory_of(*this);
+  if (fleet == nullptr || index < 0 || index >= fleet->peer_count) return Status::kInvalidArgument;
+  Traffic traffic{tracks, room, 0, pieces, piece_room};
+  const Status status = add_tracks(*fleet, fleet->peers[index], now, traffic);
   count = traffic.count;
   return status;
 }
@@ -120,6 +133,10 @@ Neighbour Fleet::neighbour(std::int32_t index) const noexcept {
   neighbour.has_right_of_way = peer.state.incarnation != 0 && is_asked(*fleet, peer);
   neighbour.has_left = peer.state.has_left;
   neighbour.ready = is_ready(*fleet, peer);
+  if (peer.flown == kNoPlan) return neighbour;
+  neighbour.flies = peer.names[peer.flown].number;
+  const std::int8_t other = other_plan(*fleet, peer);
+  if (other != kNoPlan) neighbour.may_fly = peer.names[other].number;
   return neighbour;
 }
 

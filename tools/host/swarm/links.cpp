@@ -29,7 +29,8 @@ bool Links::loses(int from, int to, double now) {
 
 void Links::fly(int to, const Packet& packet, std::int64_t now) {
   const double delay = noise_.within(settings_.delay_min, settings_.delay_max);
-  in_the_air_[static_cast<std::size_t>(to)][{now + static_cast<std::int64_t>(1e9 * delay), number_++}] = packet;
+  in_the_air_[static_cast<std::size_t>(to)].emplace(
+      std::make_pair(now + static_cast<std::int64_t>(1e9 * delay), number_++), packet);
 }
 
 void Links::send(int from, const Packet& packet, std::int64_t now) {

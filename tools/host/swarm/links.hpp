@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,19 @@ struct LinkSettings {
   double silent_from = 0.0;  ///< s
 };
 
-using Packet = std::vector<std::uint8_t>;
+/// Bytes that do not change: all who hear a packet share them.
+class Packet {
+ public:
+  Packet(std::vector<std::uint8_t> bytes)  // NOLINT(google-explicit-constructor)
+      : bytes_(std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes))) {}
+  const std::vector<std::uint8_t>& bytes() const { return *bytes_; }
+  const std::uint8_t* data() const { return bytes_->data(); }
+  std::size_t size() const { return bytes_->size(); }
+  bool operator<(const Packet& other) const { return *bytes_ < *other.bytes_; }
+
+ private:
+  std::shared_ptr<const std::vector<std::uint8_t>> bytes_;
+};
 
 /// What carries packets between vehicles.
 class Carrier {

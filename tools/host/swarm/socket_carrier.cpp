@@ -49,11 +49,11 @@ void SocketCarrier::send(int from, const Packet& packet, std::int64_t now) {
 std::vector<Packet> SocketCarrier::receive(int to, std::int64_t now) {
   release(to, now);
   std::vector<Packet> arrived;
-  Packet packet(kLargestPacket);
+  std::vector<std::uint8_t> packet(kLargestPacket);
   for (;;) {
     const ssize_t size = recv(sockets_[static_cast<std::size_t>(to)].descriptor, packet.data(), packet.size(), 0);
     if (size <= 0) return arrived;
-    arrived.emplace_back(packet.begin(), packet.begin() + size);
+    arrived.emplace_back(std::vector<std::uint8_t>(packet.begin(), packet.begin() + size));
   }
 }
 

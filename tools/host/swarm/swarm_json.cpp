@@ -15,6 +15,18 @@ Json point(const tern::Vec3& p) {
   return Json::array({p.x, p.y, p.z});
 }
 
+Json links_json(const LinkSettings& links) {
+  return {{"loss", links.loss},
+          {"burst", links.burst},
+          {"delay_min", links.delay_min},
+          {"delay", links.delay_max},
+          {"repeated", links.repeated},
+          {"partition", {links.partition.from, links.partition.until}},
+          {"deaf", links.deaf},
+          {"silent", links.silent},
+          {"silent_from", links.silent_from}};
+}
+
 Json members_json(const SwarmResult& result) {
   Json all = Json::array();
   for (const SwarmMember& member : result.members) {
@@ -46,11 +58,12 @@ std::string swarm_json(const SwarmWorld& world, const SwarmSettings& settings, c
     for (const tern::Sample& sample : row) places.push_back(point(sample.position));
     film.push_back(places);
   }
-  const LinkSettings& links = settings.links;
   const Json all{{"world", world.name},
-                 {"loss", links.loss},
-                 {"delay", links.delay_max},
+                 {"links", links_json(settings.links)},
                  {"clock_error", settings.clock_error},
+                 {"restarts", settings.restarts},
+                 {"send_hz", settings.send_hz},
+                 {"packet_bytes", settings.packet_bytes},
                  {"seed", settings.seed},
                  {"vehicles", result.members.size()},
                  {"arrived", result.arrived()},

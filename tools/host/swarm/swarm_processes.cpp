@@ -149,6 +149,7 @@ class Processes {
     result_.disagreed += all.at("disagreed").get<std::uint32_t>();
     result_.most_untold = std::max(result_.most_untold, all.at("untold").get<int>());
     result_.most_fleet_units = std::max(result_.most_fleet_units, all.at("fleet_units").get<std::uint32_t>());
+    result_.computed += all.at("computed").get<double>();
     result_.packets += all.at("sent").get<std::uint64_t>();
     result_.lost += all.at("lost").get<std::uint64_t>();
     result_.bytes += all.at("bytes").get<std::uint64_t>();

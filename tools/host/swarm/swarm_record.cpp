@@ -92,7 +92,7 @@ std::string write_swarm_record(const SwarmRecord& record) {
   nlohmann::json settings;
   visit_settings(record.settings, [&](const char* name, const auto& value) { settings[name] = value; });
   nlohmann::json packets = nlohmann::json::array();
-  for (const Packet& packet : record.packets) packets.push_back(nlohmann::json::binary(packet));
+  for (const Packet& packet : record.packets) packets.push_back(nlohmann::json::binary(packet.bytes()));
   nlohmann::json vehicles = nlohmann::json::array();
   for (const SwarmRecord::Vehicle& vehicle : record.vehicles) {
     nlohmann::json ticks = nlohmann::json::array();
@@ -126,7 +126,7 @@ SwarmRecord read_swarm_record(const std::string& bytes) {
     }
     record.world = all.at("world");
     visit_settings(record.settings, [&](const char* name, auto& value) { all.at("settings").at(name).get_to(value); });
-    for (const nlohmann::json& packet : all.at("packets")) record.packets.push_back(packet.get_binary());
+    for (const nlohmann::json& packet : all.at("packets")) record.packets.emplace_back(packet.get_binary());
     for (const nlohmann::json& one : all.at("vehicles")) {
       record.vehicles.push_back({one.at("clock_offset"), {}});
       for (const nlohmann::json& tick : one.at("ticks")) {

@@ -27,17 +27,33 @@ class SwarmTraffic {
   int tell(const tern::Fleet& fleet, tern::Flight& flight, const tern::Vec3& place, std::int64_t time);
 
  private:
-  /// A plan that the flight is told of: its track, and which plan of which incarnation it is.
+  /// One of the two plans of a member.
+  struct Plan {
+    std::uint32_t number = 0;  ///< 0: none
+    std::int32_t pieces = 0;
+    tern::Box around{};  ///< all that is left of it, when it was looked at
+  };
+  /// What was last seen of a member.
+  struct Other {
+    tern::Neighbour neighbour;
+    std::int64_t looked = 0;  ///< when
+    Plan plans[2];            ///< that it flies, and that it may fly
+  };
+  /// A plan that the flight is told of: of which member, which of its two plans, and which plan of which incarnation.
   struct Told {
-    const tern::Track* track;
+    std::int32_t index;
+    int which;
     std::uint64_t plan;
   };
-  void ask(const tern::Fleet& fleet, std::int64_t time);
-  std::map<std::uint32_t, Told> choose(const tern::Fleet& fleet, const tern::Vec3& place) const;
+  int ask(const tern::Fleet& fleet, std::int64_t time);
+  void look(const tern::Fleet& fleet, std::int32_t index, std::int64_t time);
+  std::int32_t read(const tern::Fleet& fleet, std::int32_t index, std::int64_t time);
+  std::map<std::uint32_t, Told> choose(const tern::Vec3& place) const;
+  bool update(const tern::Fleet& fleet, tern::Flight& flight, std::uint32_t id, const Told& news, std::int64_t time);
 
-  std::vector<tern::Track> tracks_;
+  std::vector<Other> others_;
+  tern::Track tracks_[2];
   std::vector<tern::TrackPiece> pieces_ = std::vector<tern::TrackPiece>(64);
-  std::int32_t count_ = 0;
   std::int64_t last_tick_ = 0, tick_ = 0;
   std::map<std::uint32_t, std::uint64_t> known_;  ///< plans that the flight has, by the track's id
 };

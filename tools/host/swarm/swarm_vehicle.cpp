@@ -178,11 +178,11 @@ void SwarmVehicle::send(std::int64_t now, Carrier& carrier) {
       2 * patience_ > 3 * least_patience() && fleet_->report().announcement == tern::Announcement::kOpen;
   if (now < next_round_ && !hurries) return;
   next_round_ = now + nanoseconds(1.0 / settings_.send_hz);
-  Packet packet(static_cast<std::size_t>(settings_.packet_bytes));
+  std::vector<std::uint8_t> packet(static_cast<std::size_t>(settings_.packet_bytes));
   for (int k = 0; k < 1000; ++k) {
     const std::int32_t size = fleet_->write(packet.data(), settings_.packet_bytes);
     if (size <= 0) return;
-    carrier.send(number_, Packet(packet.begin(), packet.begin() + size), now);
+    carrier.send(number_, std::vector<std::uint8_t>(packet.begin(), packet.begin() + size), now);
   }
 }
 

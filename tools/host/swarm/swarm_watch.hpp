@@ -49,6 +49,7 @@ class SwarmWatch {
   Clearance clearance_;
   std::vector<SwarmContact> contacts_;
   std::set<std::pair<int, int>> touching_;
+  std::vector<tern::Vec3> middle_;  ///< places of all in the middle of what is looked at
   double least_distance_ = 1e9, least_clearance_ = 1e9;
 };
 

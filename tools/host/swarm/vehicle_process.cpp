@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
@@ -70,6 +71,7 @@ void VehicleProcess::fly(std::int64_t start, int parent) {
     }
     due = std::max(due + step, now);
   }
+  computed_ = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 std::vector<std::uint8_t> VehicleProcess::result() const {
@@ -83,6 +85,7 @@ std::vector<std::uint8_t> VehicleProcess::result() const {
                                   {"disagreed", disagreed_},
                                   {"untold", untold_},
                                   {"fleet_units", fleet_units_},
+                                  {"computed", computed_},
                                   {"sent", sockets_.air().sent()},
                                   {"lost", sockets_.air().lost()},
                                   {"bytes", sockets_.air().bytes()}});

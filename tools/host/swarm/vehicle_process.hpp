@@ -53,6 +53,7 @@ class VehicleProcess {
   std::vector<double> positions_;
   std::uint32_t commits_ = 0, unasked_ = 0, disagreed_ = 0, fleet_units_ = 0;
   int untold_ = 0;
+  double computed_ = 0.0;  ///< s of processor time
 };
 
 }  // namespace tern_host
