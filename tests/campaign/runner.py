@@ -96,7 +96,50 @@ def main():
     expect("the attack has no settings: status 2", done.returncode == 2 and
            "boxes: the attack has no settings: leave out --set v_max=4" in done.stderr)
     faults(campaign, folder, program)
+    swarms(campaign, folder)
     return status()
+
+
+SWARMER = """#!/bin/sh
+case "$*" in
+  *--json*) ;;
+  *X-4:*) echo "tern: there is no swarm X-4" >&2; exit 2 ;;
+  *) exit 3 ;;
+esac
+world=$2
+while [ "$1" != --json ]; do shift; done
+contacts= state=
+case $world in
+  swap-4:2) contacts='{"time": 1.0}' ;;
+  swap-4:3) state='"state": "rest", ' ;;
+esac
+cat >"$2" <<EOF
+{"members": [{$state"unasked": 1}], "disagreed": 0, "contacts": [$contacts], "vehicles": 4, "arrived": 3,
+ "mean_travel": 8.25, "last_arrival": 9.5, "least_distance": 0.61, "body_radius": 0.3, "least_clearance": 0.4,
+ "packets": 10, "lost": 5, "bytes": 100, "fleet_units": 9, "untold": 0, "time": 9.5, "hash": "0"}
+EOF
+exit 3
+"""
+
+
+def swarms(campaign, folder):
+    program = folder / "swarmer"
+    program.write_text(SWARMER)
+    program.chmod(0o755)
+
+    def run(*arguments):
+        own = ["--tern", str(program), "--folder", str(folder), "--name", "s", "--fresh"]
+        return subprocess.run([sys.executable, campaign, "swarm", *own, *arguments], capture_output=True, text=True)
+
+    done = run("swap-4", "--runs", "1")
+    expect("a swarm that arrives", done.returncode == 0 and
+           "| swap-4 | perfect | 1 | 1 | 4 | 3 | 0 | 0 | 10.0 | 8.25 | 8.25 | 9.50 | 1 |" in done.stdout)
+    done = run("swap-4/loss=0.5,partition=2:6", "--runs", "3")
+    expect("a contact is status 1, and its command has the links", done.returncode == 1 and
+           f"{program} swarm swap-4:2 --seed 2 --loss 0.5 --partition 2 6" in done.stdout and
+           "| swap-4 | loss=0.5 partition=2:6 | 3 | 1 | 12 | 9 | 1 | 0 |" in done.stdout)
+    done = run("X-4")
+    expect("a swarm that there is not: status 2", done.returncode == 2 and "X-4: tern: there is no swarm" in done.stderr)
 
 
 def faults(campaign, folder, program):

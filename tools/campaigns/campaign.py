@@ -28,15 +28,19 @@ import time
 import kinds
 import minimise
 import pool
+import swarms
 import table
 from state import State
+
+
+KINDS = {**kinds.KINDS, swarms.Swarm.name: swarms.Swarm}
 
 
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="tools/campaign", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kind", choices=sorted(kinds.KINDS), help="what to run")
-    parser.add_argument("rows", nargs="+", metavar="FAMILY", help="P25, P25@8, S20, C@6, B, O, M; noise, boxes, ...")
+    parser.add_argument("kind", choices=sorted(KINDS), help="what to run")
+    parser.add_argument("rows", nargs="+", metavar="FAMILY", help="P25, P25@8, S20, C@6, B, O, M; noise, boxes; T3-20, swap-16/loss=0.5; ...")
     parser.add_argument("--runs", "--flights", type=int, default=100, metavar="N", help="of each row (default 100)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="of the first run of each row (default 1)")
     parser.add_argument("--set", dest="settings", action="append", default=[], metavar="KEY=VALUE",
@@ -55,7 +59,7 @@ def parse_arguments():
     parser.add_argument("--folder", default="build/campaign", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     arguments.runs = max(1, int(arguments.share * arguments.runs))
-    arguments.settings = merge(kinds.KINDS[arguments.kind].settings_default, arguments.settings)
+    arguments.settings = merge(KINDS[arguments.kind].settings_default, arguments.settings)
     return arguments
 
 
@@ -135,7 +139,7 @@ def keep_failures(arguments, kind, state, stem, executor, width):
     """The first of each row, by seed. A file that is there already is not made again."""
     folder = pathlib.Path(f"{stem}-failures")
     jobs = []
-    for row in arguments.rows:
+    for row in arguments.rows if kind.keeps else []:
         failed = [entry for entry in wanted(arguments, kind, state, row) if kind.failed(entry)]
         jobs += [(kind, entry, str(folder), arguments.trials) for entry in failed[:arguments.keep]
                  if not (folder / minimise.file_name(row, entry["seed"])).exists()]
@@ -205,7 +209,7 @@ def main():
     if not pathlib.Path(program).exists():
         print(f"tools/campaign: there is no program {program}; `tools/campaign build` makes it", file=sys.stderr)
         return 2
-    kind = kinds.KINDS[arguments.kind](program, arguments.settings, arguments.seed)
+    kind = KINDS[arguments.kind](program, arguments.settings, arguments.seed)
     arguments.rows = kind.rows(arguments.rows)
     status = 0
     with pool.workers(arguments.jobs) as (executor, width):

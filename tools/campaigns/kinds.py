@@ -31,6 +31,7 @@ def ended(done):
 
 class Kind:
     settings_default = []  # of all runs, before those given
+    keeps = True  # failing worlds as files
     broken = {"collision", "invariant", "crash", "too_long", "violation", "check_failed"}
 
     def __init__(self, program, settings, seed):

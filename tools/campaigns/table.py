@@ -13,6 +13,9 @@ COLUMNS = ["family", "runs", "success", "contacts", "invariants broken", "mean s
 
 FLY_COLUMNS = [*COLUMNS, "time over straight way, median", "longest, s", "standing, s, mean"]
 
+SWARM_COLUMNS = ["swarms", "links", "runs", "all arrived", "vehicles", "arrived", "contacts", "not as agreed",
+                 "least gap, mm", "travel, s, mean", "travel, s, largest mean", "last arrival, s", "brakes unasked"]
+
 FAULT_COLUMNS = ["family", "fault", "runs", "reached", "at rest, says why", "still flying", "threats",
                  "contacts, assumption broken", "contacts", "invariants broken", "least clearance, m",
                  "fastest contact, m/s", "above an immediate brake, m/s", "s of threat"]
@@ -98,11 +101,22 @@ def attack_row(row, blocks):
             "", "", "", "", plans, share(total("work", blocks), plans), "", "", ""]
 
 
-ROWS = {"fly": fly_row, "faults": faults_row, "plan": plan_row, "attack": attack_row}
+def swarm_row(row, runs):
+    family, _, links = row.partition("/")
+    travel = numbers("travel_s", runs)
+    return [family, links.replace(",", " ") or "perfect", len(runs), count(runs, "arrived"), total("vehicles", runs),
+            total("arrived", runs), total("contacts", runs), count(runs, "disagreed", "crash", "too_long"),
+            f"{1000.0 * min(numbers('least_gap', runs), default=0.0):.1f}", f"{mean(travel):.2f}",
+            f"{max(travel, default=0.0):.2f}", f"{max(numbers('last_s', runs), default=0.0):.2f}",
+            total("unasked", runs)]
+
+
+ROWS = {"fly": fly_row, "faults": faults_row, "plan": plan_row, "attack": attack_row,
+        "swarm": swarm_row}
 
 
 def write_tables(kind, rows, stem):
-    columns = {"faults": FAULT_COLUMNS, "fly": FLY_COLUMNS}.get(kind, COLUMNS)
+    columns = {"faults": FAULT_COLUMNS, "fly": FLY_COLUMNS, "swarm": SWARM_COLUMNS}.get(kind, COLUMNS)
     with open(f"{stem}-table.csv", "w", newline="") as file:
         csv.writer(file).writerows([columns, *rows])
     lines = [columns, ["---"] * len(columns), *rows]
