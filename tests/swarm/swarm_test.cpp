@@ -92,6 +92,21 @@ TEST(Swarm, NobodyTouchesAnybodyWhereMembersBeginAnew) {
   }
 }
 
+// Nobody knows the posts beforehand; each finds them by its own lidar.
+TEST(Swarm, DiscoversWhatStandsStill) {
+  SwarmSettings settings;
+  settings.discover = 4.0;
+  const SwarmWorld world = swarm_world("T10-3:1");
+  SwarmRecord record;
+  const SwarmResult result = fly_swarm(world, settings, nullptr, &record);
+  EXPECT_EQ(result.arrived(), 3);
+  EXPECT_TRUE(result.contacts.empty());
+  EXPECT_GE(result.least_clearance, world.body_radius);
+  settings.discover = 0.0;
+  EXPECT_NE(result.hash, fly_swarm(world, settings).hash) << "a world that is known is flown otherwise";
+  EXPECT_EQ(replay_swarm(read_swarm_record(write_swarm_record(record))), "");
+}
+
 // Seventy vehicles have more plans than a flight has room for: the swarm says so.
 TEST(Swarm, SaysWhichPlansAFlightHasNoRoomFor) {
   SwarmWorld world = swarm_world("field-70:1");

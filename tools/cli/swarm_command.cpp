@@ -79,17 +79,9 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
 /// What the ranges of single options do not say: they let through what is no number, too.
 void check_options(const SwarmOptions& options) {
   const tern_host::SwarmSettings& s = options.settings;
-  const double numbers[] = {s.links.loss,
-                            s.links.burst,
-                            s.links.delay_min,
-                            s.links.delay_max,
-                            s.links.repeated,
-                            s.links.silent_from,
-                            s.clock_error,
-                            s.restarts,
-                            s.send_hz,
-                            s.clearance,
-                            s.late};
+  const double numbers[] = {s.links.loss,     s.links.burst,       s.links.delay_min, s.links.delay_max,
+                            s.links.repeated, s.links.silent_from, s.clock_error,     s.restarts,
+                            s.send_hz,        s.clearance,         s.discover,        s.late};
   for (const double number : numbers) {
     if (!std::isfinite(number)) throw std::runtime_error("all numbers must be finite");
   }
@@ -174,6 +166,10 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--time-limit", options->time_limit, "s of flight at most (default: of the scene)")
       ->check(CLI::Range(0.0, 3600.0));
+  command
+      ->add_option("--discover", s.discover,
+                   "What stands still is not known: each finds it by a lidar of this range, m, and has its own map")
+      ->check(CLI::Range(0.0, 100.0));
   command->add_option("--threads", s.threads, "Threads that compute")->check(CLI::Range(1, 256));
   command->add_option("--restarts", s.restarts, "How often each vehicle begins anew in its fleet, per second")
       ->check(CLI::Range(0.0, 10.0));

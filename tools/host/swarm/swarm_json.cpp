@@ -64,6 +64,7 @@ std::string swarm_json(const SwarmWorld& world, const SwarmSettings& settings, c
                  {"restarts", settings.restarts},
                  {"send_hz", settings.send_hz},
                  {"packet_bytes", settings.packet_bytes},
+                 {"discover", settings.discover},
                  {"seed", settings.seed},
                  {"vehicles", result.members.size()},
                  {"arrived", result.arrived()},

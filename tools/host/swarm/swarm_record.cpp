@@ -31,6 +31,7 @@ void visit_settings(Settings& settings, Visit visit) {
   visit("restarts", settings.restarts);
   visit("clearance", settings.clearance);
   visit("delay_max", settings.links.delay_max);
+  visit("discover", settings.discover);
   visit("tracking_margin", settings.tracking_margin);
   visit("work_per_tick", settings.work_per_tick);
   visit("fleet_work", settings.fleet_work);

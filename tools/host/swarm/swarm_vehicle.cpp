@@ -74,29 +74,43 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
       planner_(memory_.get(), sizeof *memory_),
       fleet_(new tern::Fleet),
       restarts_(settings.seed + 1000 + static_cast<std::uint64_t>(number)) {
-  const tern::MapSpec mapped = map_spec_of(world, settings);
-  map_words_.resize(tern::map_words(mapped));
-  const Status bound = map_.bind(mapped, map_words_.data(), map_words_.size());
-  if (bound != Status::kOk) fail(world, number, "no map can be made of this world and cell", bound);
   const SwarmTask& task = world.tasks[static_cast<std::size_t>(number)];
-  map_.assume_free(task.start, 1000.0);
-  for (const tern::Box& wall : walls_of(world)) map_.mark_box(wall);
-  for (const tern::Box& block : world.blocks) map_.mark_box(block);
+  start_map(task);
   spec_ = tern::flight_spec(world.limits);
   spec_.tick = nanoseconds(1.0 / settings.tick_hz);
   spec_.work_per_tick = settings.work_per_tick;
   spec_.plan_work = 10 * settings.work_per_tick;
   spec_.horizon = world.horizon;
-  spec_.near = 0.0;
-  spec_.stale_after = 0;
+  if (sensor_) {
+    sensor_->describe(spec_);
+  } else {
+    spec_.near = 0.0;
+    spec_.stale_after = 0;
+  }
   patience_ = least_patience();
   spec_.clearance = patience_;
-  flight_words_.resize(tern::flight_words(mapped.dims));
+  flight_words_.resize(tern::flight_words(map_.safe().spec().dims));
   const Status begun =
       flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), task.start, offset_);
   if (begun != Status::kOk) fail(world, number, "the flight cannot begin", begun);
   traffic_.start(offset_, spec_.tick);
   begin_fleet(offset_);
+}
+
+/// A map that holds the world, or one that holds what an operator knows around the start.
+void SwarmVehicle::start_map(const SwarmTask& task) {
+  tern::MapSpec spec = map_spec_of(world_, settings_);
+  if (settings_.discover > 0.0) {
+    sensor_ = std::make_unique<SwarmSensor>(world_, task, settings_.discover, settings_.tracking_margin);
+    sensor_->describe(spec);
+  }
+  map_words_.resize(tern::map_words(spec));
+  const Status bound = map_.bind(spec, map_words_.data(), map_words_.size());
+  if (bound != Status::kOk) fail(world_, number_, "no map can be made of this world and cell", bound);
+  if (sensor_) return sensor_->assume_start(map_);
+  map_.assume_free(task.start, 1000.0);
+  for (const tern::Box& wall : walls_of(world_)) map_.mark_box(wall);
+  for (const tern::Box& block : world_.blocks) map_.mark_box(block);
 }
 
 void SwarmVehicle::begin_fleet(std::int64_t time) {
@@ -263,6 +277,7 @@ SwarmTick SwarmVehicle::tick(std::int64_t now, Carrier& carrier) {
     has_mission_ = true;
     flight_.set_mission(task.mission.data(), static_cast<std::int32_t>(task.mission.size()), tern::ViaPolicy::kEnd);
   }
+  if (sensor_) sensor_->look(flight_.command(time).sample.position, time, map_);
   advance_flight(time, did);
   did.agrees = agrees(time);
   announce(time);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/swarm/links.hpp"
+#include "host/swarm/swarm_sensor.hpp"
 #include "host/swarm/swarm_traffic.hpp"
 #include "host/swarm/swarm_world.hpp"
 #include "tern/fleet.hpp"
@@ -29,6 +30,7 @@ struct SwarmSettings {
   double restarts = 0.0;     ///< how often each vehicle begins anew in its fleet, per second
   double clearance = 0.0;    ///< s that a plan waits for answers at least; 0: from the delays of the links
   double tracking_margin = 0.02;
+  double discover = 0.0;  ///< m: what stands still is found by lidars of this range; 0: all know it beforehand
   std::uint32_t work_per_tick = 16000;
   std::uint32_t fleet_work = 500;  ///< units a tick
 };
@@ -57,6 +59,7 @@ class SwarmVehicle {
   std::uint32_t asked() const { return asked_; }
 
  private:
+  void start_map(const SwarmTask& task);
   void begin_fleet(std::int64_t time);
   bool follows_proposed() const;
   void forget_question();
@@ -95,6 +98,7 @@ class SwarmVehicle {
   bool begins_anew_ = false;     ///< the flight committed what the fleet did not agree to
   std::int64_t next_round_ = 0;
   SwarmTraffic traffic_;
+  std::unique_ptr<SwarmSensor> sensor_;  ///< null: the world is known
 };
 
 }  // namespace tern_host
