@@ -2,33 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Scenario files: what is read, and that every error names the file, the line and the reason (F23).
+
 #include "host/scenario.hpp"
 
 #include <gtest/gtest.h>
 
 #include <clocale>
 #include <string>
-#include <vector>
 
 #include "host/grid_layout.hpp"
+#include "host/scenario_errors.hpp"
 
 namespace {
 
 using tern_host::parse_scenario;
 using tern_host::Scenario;
-using tern_host::ScenarioError;
-
-const std::string kMinimal = "boundary 0 0 0 4 3 2\nstart 1 1 1\ngoal 3 2 1\n";
-
-/// The message of the error that a text makes; empty where it is read.
-std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    tern_host::lay_out_grid(parse_scenario(text, "map.txt", overrides));
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "";
-}
+using tern_test::error_of;
+using tern_test::kMinimal;
 
 void expect_vec(const tern::Vec3& v, double x, double y, double z) {
   EXPECT_DOUBLE_EQ(v.x, x);
@@ -112,89 +102,6 @@ TEST(Scenario, NumbersDoNotFollowTheLocale) {
   if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed; read in the C locale only";
 }
 
-const std::string hint = " in a scenario; `tern fly` reads flight worlds";
-
-struct Fault {
-  const char* text;
-  const char* message;
-};
-
-TEST(Scenario, ErrorsNameFileLineAndReason) {
-  const Fault faults[] = {
-      {"boundery 0 0 0 1 1 1\n", "map.txt:1: unknown record 'boundery' in a scenario; `tern fly` reads flight worlds"},
-      {"boundary 0 0 0 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 5"},
-      {"boundary 0 0 0 1 1 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 7"},
-      {"\n\nblock 0 0 0 1 1\n", "map.txt:3: 'block' needs 6 numbers, or 9 with a colour, found 5"},
-      {"block 0 0 0 1 1 1 9 9\n", "map.txt:1: 'block' needs 6 numbers, or 9 with a colour, found 8"},
-      {"keepout 0 0 0 1 1 1 9 9 9\n", "map.txt:1: 'keepout' needs 6 numbers, found 9"},
-      {"block 0 0 0 1 1 1x\n", "map.txt:1: '1x' is not a number"},
-      {"block 0 0 0 1 1 1 junk\n", "map.txt:1: 'junk' is not a number"},
-      {"block 0 0 0 1 1 0x10\n", "map.txt:1: '0x10' is not a number"},
-      {"block 0 0 0 1 1 1,5\n", "map.txt:1: '1,5' is not a number"},
-      {"block 0 0 0 1 1 1e\n", "map.txt:1: '1e' is not a number"},
-      {"block 0 0 0 1 1 .\n", "map.txt:1: '.' is not a number"},
-      {"block 0 0 0 1 1 --1\n", "map.txt:1: '--1' is not a number"},
-      {"block 0 0 0 1 1 nan\n", "map.txt:1: 'nan' is not a finite number"},
-      {"block 0 0 0 1 1 -Infinity\n", "map.txt:1: '-Infinity' is not a finite number"},
-      {"block 0 0 0 1 1 1e999\n", "map.txt:1: '1e999' is not a finite number"},
-      {"block 0 2 0 1 1 1\n", "map.txt:1: 'block' has its corners the wrong way round in y: 2 > 1"},
-      {"boundary 0 0 3 1 1 1\n", "map.txt:1: 'boundary' has its corners the wrong way round in z: 3 > 1"},
-      {"start 1 2\n", "map.txt:1: 'start' needs 3 numbers, found 2"},
-      {"goal\n", "map.txt:1: 'goal' needs 3 numbers, found 0"},
-      {"resolution 1 2\n", "map.txt:1: 'resolution' needs 1 number, found 2"},
-      {"a_min -1 -2\n", "map.txt:1: 'a_min' needs 1 or 3 numbers, found 2"},
-      {"v_horizontal 1 2\n", "map.txt:1: 'v_horizontal' needs 1 number, found 2"},
-      {"v_max 1 2\n", "map.txt:1: 'v_max' needs 1 or 3 numbers, found 2"},
-      {"start 1 1 1\ngoal 1 1 1\nstart 1 1 1\n", "map.txt:3: 'start' is given twice (first in line 1)"},
-      {"", "map.txt:1: the file ends without a 'boundary'"},
-      {"boundary 0 0 0 1 1 1\n", "map.txt:1: the file ends without a 'start'"},
-      {"boundary 0 0 0 1 1 1\nstart 0 0 0\n# end\n", "map.txt:3: the file ends without a 'goal'"},
-      {"start 1 1 1\n\001\n", "map.txt:2: not a text file: byte 1"},
-  };
-  for (const Fault& fault : faults) EXPECT_EQ(error_of(fault.text), fault.message) << fault.text;
-}
-
-TEST(Scenario, ErrorsOfWholeScenariosNameTheRecord) {
-  const Fault faults[] = {
-      {"boundary 0 0 0 1 1 1\n", "map.txt:4: 'boundary' is given twice (first in line 1)"},
-      {"resolution 0\n", "map.txt:4: 'resolution' must be more than 0"},
-      {"resolution -0.1\n", "map.txt:4: 'resolution' must be more than 0"},
-      {"radius -1\n", "map.txt:4: 'radius' must not be less than 0"},
-  };
-  for (const Fault& fault : faults) EXPECT_EQ(error_of(kMinimal + fault.text), fault.message) << fault.text;
-}
-
-TEST(Scenario, TruncatedRightBeforeTheEndIsAnError) {
-  EXPECT_EQ(error_of("boundary 0 0 0 1 1 1\nstart 0 0 0\ngoal 0 0"), "map.txt:3: 'goal' needs 3 numbers, found 2");
-}
-
-TEST(Scenario, HostileWordsAreQuotedShortAndPrintable) {
-  const std::string message = error_of("a\x1b[31m\n");
-  EXPECT_EQ(message, "map.txt:1: not a text file: byte 27");
-  EXPECT_EQ(error_of("\xff\xfd\n"), "map.txt:1: unknown record '\?\?'" + hint);
-  EXPECT_EQ(error_of(std::string(1000, 'k')), "map.txt:1: unknown record '" + std::string(40, 'k') + "...'" + hint);
-  EXPECT_EQ(error_of(std::string("goal\0 1 1 1\n", 12)), "map.txt:1: not a text file: byte 0");
-}
-
-TEST(Scenario, LinesBlocksAndFilesAreBounded) {
-  EXPECT_EQ(error_of(kMinimal + "#" + std::string(tern_host::kMaxLineBytes, 'x')),
-            "map.txt:4: the line is longer than 4096 bytes");
-  std::string many = kMinimal;
-  for (std::size_t i = 0; i <= tern_host::kMaxStrips; ++i) many += "block 0 0 0 1 1 1\n";
-  EXPECT_EQ(error_of(many), "map.txt:200004: more than 200000 blocks");
-  EXPECT_EQ(error_of(std::string(tern_host::kMaxTextBytes + 1, '\n')), "map.txt: larger than 67108864 bytes");
-}
-
-TEST(Scenario, CapacitiesNameTheRecordThatExceedsThem) {
-  EXPECT_EQ(error_of(kMinimal + "resolution 1e-9\n"),
-            "map.txt:4: a grid of 1e-09 m voxels over the boundary has more than 2048 voxels along an "
-            "axis (TERN_MAX_DIMENSION); a resolution of 0.0072 fits");
-  EXPECT_EQ(error_of("start 0 0 0\ngoal 1 1 1\nboundary -1e300 0 0 1e300 1 1\n").substr(0, 10), "map.txt:3:");
-  const std::string cells = error_of("boundary 0 0 0 100 100 100\nstart 0 0 0\ngoal 1 1 1\n");
-  EXPECT_NE(cells.find("map.txt:1: a grid of"), std::string::npos);
-  EXPECT_NE(cells.find("TERN_MAX_CELLS"), std::string::npos);
-}
-
 TEST(Scenario, AGridThatIsTooLargeComesWithAResolutionThatFits) {
   const std::string ends = "start 1 1 1\ngoal 2 2 1\n";
   const std::string maps[] = {
@@ -268,31 +175,6 @@ TEST(Scenario, OverridesReplaceOrCompleteRecords) {
   expect_vec(s.limits.a_max, 4, 4, 4);
   const Scenario completed = parse_scenario("boundary 0 0 0 1 1 1\nstart 0 0 0\n", "m", {"goal=1,1,1"});
   expect_vec(completed.goal.position, 1, 1, 1);
-}
-
-TEST(Scenario, OverridesAreCheckedLikeRecords) {
-  EXPECT_EQ(error_of(kMinimal, {"radius"}), "--set radius: expected key=value");
-  EXPECT_EQ(error_of(kMinimal, {"=1"}), "--set =1: expected key=value");
-  EXPECT_EQ(error_of(kMinimal, {"colour=1"}), "--set colour=1: unknown or not a setting: 'colour'");
-  EXPECT_EQ(error_of(kMinimal, {"boundary=0,0,0,1,1,1"}),
-            "--set boundary=0,0,0,1,1,1: unknown or not a setting: 'boundary'");
-  EXPECT_EQ(error_of(kMinimal, {"goal=1,2"}), "--set goal=1,2: 'goal' needs 3 numbers, found 2");
-  EXPECT_EQ(error_of(kMinimal, {"radius=inf"}), "--set radius=inf: 'inf' is not a finite number");
-  EXPECT_EQ(error_of(kMinimal, {"resolution=0"}), "--set resolution=0: 'resolution' must be more than 0");
-  EXPECT_EQ(error_of(kMinimal, {"resolution=1e-9"}).substr(0, 23), "--set resolution=1e-9: ");
-}
-
-TEST(Scenario, FilesThatCannotBeReadSayWhy) {
-  const auto error = [](const char* path) {
-    try {
-      tern_host::read_scenario(path);
-    } catch (const ScenarioError& e) {
-      return std::string(e.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(error("/nonexistent/map.txt"), "/nonexistent/map.txt: cannot be opened: No such file or directory");
-  EXPECT_EQ(error("/"), "/: cannot be read: Is a directory");
 }
 
 TEST(GridLayout, CoversTheBoundaryFromItsLowerCorner) {

@@ -1,15 +1,15 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Plans among things that move: what is proven, what waits, and what is refused.
+// Plans among things that move: what is proven, and what waits.
+
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "planner/among.hpp"
 #include "support/random.hpp"
 #include "support/world.hpp"
 
@@ -24,55 +24,6 @@ using tern::TrackEnd;
 using tern::TrackShape;
 using tern::Trajectory;
 using tern::Vec3;
-
-constexpr std::int64_t kSecond = 1000000000;
-constexpr double kForever = std::numeric_limits<double>::infinity();
-
-Track ball(const Vec3& place, const Vec3& velocity, double radius = 0.3) {
-  Track track;
-  track.position = place;
-  track.velocity = velocity;
-  track.radius = radius;
-  return track;
-}
-
-/// 8 x 4 x 2 m with nothing in it that stands, and a request along its middle: some seven seconds.
-class Among : public testing::Test {
- protected:
-  Among() : world_({80, 40, 20}, 0.1, 0.2) { world_.from({0.55, 2.05, 1.05}).to({7.45, 2.05, 1.05}); }
-
-  Status plan(const std::vector<Track>& tracks) {
-    tracks_ = tracks;
-    world_.request.tracks = tracks_.data();
-    world_.request.track_count = static_cast<std::int32_t>(tracks_.size());
-    return world_.plan();
-  }
-
-  /// A plan that is proven by a proof that knows nothing of the planner.
-  void expect_plan(double rest = 0.0) {
-    ASSERT_EQ(world_.report.status, Status::kOk);
-    tern::TrackGrounds grounds;
-    grounds.tracks = tracks_.data();
-    grounds.count = world_.request.track_count;
-    grounds.radius = world_.spec.radius;
-    grounds.rest = rest;
-    grounds.leaves = true;
-    grounds.fences = world_.request.fences;
-    grounds.fence_count = world_.request.fence_count;
-    tern::ProofReport found;
-    tern::clear_until(world_.trajectory, world_.report.entered, grounds, &found);
-    EXPECT_EQ(found.finding, tern::Finding::kNone);
-  }
-
-  void expect_refused(Status status, std::int32_t track) {
-    EXPECT_EQ(world_.report.status, status);
-    EXPECT_EQ(world_.report.track, track);
-    EXPECT_TRUE(world_.trajectory_untouched());
-  }
-
-  World world_;
-  std::vector<Track> tracks_;
-};
 
 TEST_F(Among, WhatIsFarAwayChangesNothing) {
   ASSERT_EQ(world_.plan(), Status::kOk);
@@ -193,99 +144,6 @@ TEST_F(Among, GoesFromRoomToRoom) {
   EXPECT_EQ(world_.report.goal_free, kForever);
 }
 
-/// A keep-out that lies at the goal from 5 s to 90 s, and until 90 s it cannot be waited for.
-TEST_F(Among, SaysWhenACoveredGoalIsFree) {
-  Track parked = ball({7.45, 2.05, 1.05}, {0.0, 0.0, 0.0});
-  parked.until = 90 * kSecond;
-  parked.end = TrackEnd::kGone;
-  ASSERT_EQ(plan({parked}), Status::kGoalCovered);
-  EXPECT_NEAR(world_.report.goal_free, 90.0, 2e-3);
-  EXPECT_GE(world_.report.goal_free, 90.0 - 1e-9);
-  // Another one comes twenty seconds later, too soon for a rest of thirty.
-  Track next = parked;
-  next.measured = 110 * kSecond;
-  next.until = 130 * kSecond;
-  ASSERT_EQ(plan({parked, next}), Status::kGoalCovered);
-  EXPECT_NEAR(world_.report.goal_free, 90.0, 2e-3);
-  world_.request.rest_clear = 30.0;
-  ASSERT_EQ(plan({parked, next}), Status::kGoalCovered);
-  EXPECT_NEAR(world_.report.goal_free, 130.0, 2e-3);
-  parked.end = TrackEnd::kGoesOn;
-  ASSERT_EQ(plan({parked}), Status::kGoalCovered);
-  EXPECT_EQ(world_.report.goal_free, kForever);
-  const tern::StageReport& stage = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)];
-  EXPECT_LE(stage.work, stage.bound);
-  // Sooner than the longest wait ends, but by then the way is closed for good.
-  parked.until = 30 * kSecond;
-  parked.end = TrackEnd::kGone;
-  Track closes = ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 3.0);
-  closes.measured = 10 * kSecond;
-  world_.request.rest_clear = 2.0;
-  ASSERT_EQ(plan({parked, closes}), Status::kGoalCovered);
-  EXPECT_NEAR(world_.report.goal_free, 30.0, 2e-3);
-  EXPECT_EQ(plan({ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 5.0)}), Status::kStartInContact);
-  EXPECT_EQ(world_.report.goal_free, kForever);
-}
-
-TEST_F(Among, ArrivesWhenTheGoalIsFree) {
-  Track parked = ball({7.45, 2.05, 1.05}, {0.0, 0.0, 0.0});
-  parked.end = TrackEnd::kGone;
-  parked.until = 15 * kSecond;
-  ASSERT_EQ(plan({parked}), Status::kOk);
-  expect_plan();
-  EXPECT_GE(tern::duration(world_.trajectory), 15.0);
-  EXPECT_LT(tern::duration(world_.trajectory), 20.0);
-  parked.end = TrackEnd::kGoesOn;
-  EXPECT_EQ(plan({ball({1.0, 0.2, 1.0}, {0.0, 0.0, 0.0}), parked}), Status::kGoalCovered);
-  expect_refused(Status::kGoalCovered, 1);
-  EXPECT_EQ(world_.report.stage, Stage::kTracks);
-  EXPECT_GT(world_.report.conflict, 3.0);
-}
-
-TEST_F(Among, ABlockedWayHasNoClearTime) {
-  Track wall = ball({4.0, 2.0, 1.0}, {0.0, 0.0, 0.0});
-  wall.shape = TrackShape::kBox;
-  wall.half = {0.1, 3.0, 3.0};
-  EXPECT_EQ(plan({wall}), Status::kNoClearTime);
-  expect_refused(Status::kNoClearTime, 0);
-  EXPECT_GT(world_.report.conflict, 1.0);
-  EXPECT_LT(world_.report.conflict, 5.0);
-  wall.end = TrackEnd::kGone;
-  wall.until = 30 * kSecond;
-  ASSERT_EQ(plan({wall}), Status::kOk);
-  expect_plan();
-  EXPECT_GE(tern::duration(world_.trajectory), 30.0);
-}
-
-TEST_F(Among, LeavesWhatIsTooNearAtTheStart) {
-  ASSERT_EQ(plan({ball({0.15, 2.05, 1.05}, {0.0, 0.0, 0.0})}), Status::kOk);
-  expect_plan();
-  EXPECT_EQ(world_.report.track, 0);
-  EXPECT_EQ(world_.report.waits, 0.0);
-  EXPECT_EQ(plan({ball({0.55, 2.05, 1.05}, {0.0, 0.0, 0.0})}), Status::kStartInContact);
-  expect_refused(Status::kStartInContact, 0);
-  EXPECT_EQ(world_.report.conflict, 0.0);
-  // The thing is ahead: straight on, the way leads nearer, but there is one that leads away first.
-  ASSERT_EQ(plan({ball({1.0, 2.05, 1.05}, {0.0, 0.0, 0.0})}), Status::kOk);
-  expect_plan();
-  EXPECT_EQ(world_.report.track, 0);
-}
-
-TEST_F(Among, TheEndStaysClearForAsLongAsItIsAskedTo) {
-  // It comes to the goal after twelve seconds.
-  const Track coming = ball({7.45, -9.5, 1.05}, {0.0, 1.0, 0.0});
-  ASSERT_EQ(plan({coming}), Status::kOk);
-  expect_plan();
-  const double alone = tern::duration(world_.trajectory);
-  EXPECT_NEAR(world_.report.rest_clear_until, 11.55 - 0.5, 0.02);
-  world_.request.rest_clear = 10.0;
-  ASSERT_EQ(plan({coming}), Status::kOk);
-  expect_plan(10.0);
-  EXPECT_GT(tern::duration(world_.trajectory), 12.0);
-  EXPECT_GT(tern::duration(world_.trajectory), alone);
-  EXPECT_EQ(world_.report.rest_clear_until, kForever);
-}
-
 TEST_F(Among, StopsFirstIfItBeginsInMotion) {
   ASSERT_EQ(world_.plan(), Status::kOk);
   world_.request.start.velocity = {1.0, 0.0, 0.0};
@@ -348,36 +206,6 @@ TEST_F(Among, SlicesGiveTheSamePlan) {
   while (status == Status::kRunning) status = world_.planner.step(7);
   ASSERT_EQ(world_.planner.finish(world_.trajectory, world_.report), Status::kOk);
   EXPECT_EQ(std::memcmp(whole.get(), &world_.trajectory, sizeof(Trajectory)), 0);
-}
-
-TEST_F(Among, RefusesWhatIsNoTrack) {
-  Track track = ball({1.0, 1.0, 1.0}, {0.0, 0.0, 0.0});
-  track.error = -1.0;
-  EXPECT_EQ(plan({Track{}, track}), Status::kInvalidArgument);
-  expect_refused(Status::kInvalidArgument, 1);
-  EXPECT_EQ(world_.report.field, Field::kTracks);
-  track.error = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(plan({track}), Status::kNonFiniteInput);
-  EXPECT_EQ(plan(std::vector<Track>(tern::kMaxTracks + 1)), Status::kTracksFull);
-  expect_refused(Status::kTracksFull, tern::kNoTrack);
-  std::vector<tern::TrackPiece> pieces(tern::kMaxTrackPieces + 1, tern::TrackPiece{1.0, {}});
-  track = Track{};
-  track.pieces = pieces.data();
-  track.piece_count = tern::kMaxTrackPieces + 1;
-  EXPECT_EQ(plan({track}), Status::kTrackPiecesFull);
-  track.piece_count = tern::kMaxTrackPieces;
-  EXPECT_EQ(plan({track}), Status::kOk);
-  world_.request.track_count = -1;
-  EXPECT_EQ(world_.plan(), Status::kInvalidArgument);
-  EXPECT_EQ(world_.report.field, Field::kTracks);
-  world_.request.track_count = 0;
-  for (const double rest : {-1.0, 3601.0}) {
-    world_.request.rest_clear = rest;
-    EXPECT_EQ(world_.plan(), Status::kInvalidArgument);
-    EXPECT_EQ(world_.report.field, Field::kRestClear);
-  }
-  world_.request.rest_clear = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(world_.plan(), Status::kNonFiniteInput);
 }
 
 /// Random things in random number: each plan is proven by code of its own, and no refusal is for nothing.

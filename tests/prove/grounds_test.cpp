@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Proofs that rely on earlier ones, or begin where something is too near; and what a map says has become solid.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "prove/chamber.hpp"
 #include "support/grid_storage.hpp"
 #include "support/owned_map.hpp"
 #include "support/random.hpp"
@@ -17,43 +19,12 @@
 namespace {
 
 using namespace tern;
-using tern_test::OwnedGrid;
+using tern_test::Chamber;
+using tern_test::move;
 using tern_test::OwnedMap;
+using tern_test::prove;
+using tern_test::Proven;
 using tern_test::Random;
-using tern_test::whole_grid;
-
-/// From rest to rest along a line, and aside by a bend.
-Trajectory move(const Vec3& from, const Vec3& by, const Vec3& bend = {0.0, 0.0, 0.0}) {
-  Trajectory plan{};
-  plan.count = 1;
-  plan.origin = from;
-  plan.segments[0].duration = 2.0;
-  for (int i = 0; i < kControlPoints; ++i) {
-    const double part = i < 4 ? 0.0 : 1.0;
-    const double aside = i == 3 || i == 4 ? 1.0 : 0.0;
-    plan.segments[0].points[i] = {part * by.x + aside * bend.x, part * by.y + aside * bend.y,
-                                  part * by.z + aside * bend.z};
-  }
-  return plan;
-}
-
-struct Proven {
-  double until;
-  Finding finding;
-  std::uint32_t work;
-};
-
-Proven prove(const Grid& grid, const Trajectory& plan, const ProofGrounds& grounds) {
-  Proof proof;
-  EXPECT_EQ(proof.begin(grid, plan, 0.0, nullptr, Beyond::kSolid, grounds), Status::kRunning);
-  while (proof.step(1000) == Status::kRunning) {
-  }
-  return {proof.report().until, proof.report().finding, proof.report().work};
-}
-
-struct Chamber : OwnedGrid {
-  Chamber() : OwnedGrid(whole_grid({60, 60, 40}, 0.1, 0.4, {2.0, -3.0, 0.0})) {}
-};
 
 /// The vehicle rests 0.3 m from a wall, where 0.4 m are asked for.
 TEST(ProofGrounds, LeavingAPlaceMayNotLeadNearer) {
@@ -209,40 +180,6 @@ TEST(ProofGrounds, OnlyWhatWasAddedIsLookedAt) {
   ASSERT_EQ(room.grid.mark_voxel({30, 30, 20}), Status::kOk);
   const Box elsewhere{{2.0, -3.0, 0.0}, {2.1, -2.9, 0.1}};
   EXPECT_EQ(prove(room.grid, move({4.0, 0.0, 2.0}, {2.0, 0.0, 0.0}), {&elsewhere, nullptr}).finding, Finding::kNone);
-}
-
-Finding end_with(const Chamber& room, const Trajectory& way, const Fence& fence) {
-  ProofGrounds grounds;
-  grounds.fences = &fence;
-  grounds.fence_count = 1;
-  return prove(room.grid, way, grounds).finding;
-}
-
-/// The centre stays in; the radius plays no part.
-TEST(ProofGrounds, KeepInsHoldTheCentre) {
-  Chamber room;
-  Halfspace planes[kBoxPlanes];
-  box_planes({{3.0, -1.0, 1.0}, {6.0, 1.0, 3.0}}, planes);
-  planes[0] = {{2.0, 0.0, 0.0}, 12.0};  // x <= 6, in another scale
-  const Fence fence{planes, kBoxPlanes, FenceKind::kKeepIn};
-  EXPECT_EQ(end_with(room, move({3.0, 0.0, 2.0}, {3.0, 0.0, 0.0}), fence), Finding::kNone);
-  EXPECT_EQ(end_with(room, move({3.0, 0.0, 2.0}, {3.001, 0.0, 0.0}), fence), Finding::kFence);
-  EXPECT_EQ(end_with(room, move({3.0, 0.0, 2.0}, {2.0, 0.0, 0.0}, {0.0, 3.0, 0.0}), fence), Finding::kFence);
-}
-
-/// The radius of 0.4 m is kept from faces and from edges.
-TEST(ProofGrounds, KeepOutsAreKeptAtTheRadius) {
-  Chamber room;
-  Halfspace planes[kBoxPlanes];
-  box_planes({{5.0, 0.0, -1.0}, {9.0, 9.0, 9.0}}, planes);
-  const Fence fence{planes, kBoxPlanes, FenceKind::kKeepOut};
-  EXPECT_EQ(end_with(room, move({3.0, 1.0, 2.0}, {1.6, 0.0, 0.0}), fence), Finding::kNone);
-  EXPECT_EQ(end_with(room, move({3.0, 1.0, 2.0}, {1.601, 0.0, 0.0}), fence), Finding::kFence);
-  // Past the edge at (5, 0), at right angles to the diagonal: (4.7, -0.3) is 0.424 m away from it, (4.75, -0.25) 0.354
-  // m.
-  EXPECT_EQ(end_with(room, move({3.7, -1.3, 2.0}, {2.0, 2.0, 0.0}, {0.0, 0.0, 0.0}), fence), Finding::kFence);
-  EXPECT_EQ(end_with(room, move({3.7, 0.7, 2.0}, {2.0, -2.0, 0.0}), fence), Finding::kNone);
-  EXPECT_EQ(end_with(room, move({3.75, 0.75, 2.0}, {2.0, -2.0, 0.0}), fence), Finding::kFence);
 }
 
 /// Obstacles in the alarm's box do not count where they had been seen free; all others do.

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Proofs against tracks whose answers can be worked out by hand.
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "prove/track_answers.hpp"
 #include "support/timed_proof.hpp"
 #include "tern/track_proof.hpp"
 
@@ -15,28 +16,11 @@ namespace {
 
 using namespace tern;
 using tern_test::along_x;
+using tern_test::ball_at;
 using tern_test::kEarly;
 using tern_test::kSecond;
-using tern_test::prove_from;
+using tern_test::prove;
 using tern_test::TimedAnswer;
-
-Track ball_at(const Vec3& place, double radius) {
-  Track track;
-  track.position = place;
-  track.radius = radius;
-  return track;
-}
-
-TimedAnswer prove(const Trajectory& plan, const std::vector<Track>& tracks, double radius = 0.5, double rest = 0.0,
-                  bool leaves = false, double from = 0.0) {
-  TrackGrounds grounds;
-  grounds.tracks = tracks.data();
-  grounds.count = static_cast<std::int32_t>(tracks.size());
-  grounds.radius = radius;
-  grounds.rest = rest;
-  grounds.leaves = leaves;
-  return prove_from(from, plan, grounds);
-}
 
 void expect_met(const TimedAnswer& answer, double when, std::int32_t track = 0) {
   EXPECT_EQ(answer.report.finding, Finding::kTrack);
@@ -243,117 +227,6 @@ TEST(TrackProof, SlicesDoNotMatter) {
   EXPECT_EQ(proof.report().until, whole.until);
   EXPECT_EQ(proof.report().track, whole.track);
   EXPECT_EQ(proof.report().work, whole.work);
-}
-
-Status refused(const Track& track, std::int32_t& which) {
-  const Track list[] = {Track{}, track};
-  TrackGrounds grounds;
-  grounds.tracks = list;
-  grounds.count = 2;
-  const Trajectory plan = along_x({9.0, 9.0, 9.0});
-  TrackProof proof;
-  const Status status = proof.begin(plan, 0.0, grounds);
-  which = proof.report().track;
-  return status;
-}
-
-void expect_refused(const Track& track, Status status) {
-  std::int32_t which = kNoTrack;
-  EXPECT_EQ(refused(track, which), status);
-  EXPECT_EQ(which, 1);
-}
-
-TEST(TrackProof, RefusesTracksThatAreNone) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::int32_t which = kNoTrack;
-  EXPECT_EQ(refused(Track{}, which), Status::kRunning);
-  Track track;
-  track.position.y = kNan;
-  expect_refused(track, Status::kNonFiniteInput);
-  track = Track{};
-  track.velocity.z = kInfinity;
-  expect_refused(track, Status::kNonFiniteInput);
-  track = Track{};
-  track.position.x = 2e12;
-  expect_refused(track, Status::kInvalidArgument);
-  double Track::*const sizes[] = {&Track::radius, &Track::error, &Track::error_speed, &Track::error_growth,
-                                  &Track::reach};
-  for (double Track::*const size : sizes) {
-    track = Track{};
-    track.*size = -1e-300;
-    expect_refused(track, Status::kInvalidArgument);
-    track.*size = kNan;
-    expect_refused(track, Status::kNonFiniteInput);
-  }
-  track = Track{};
-  track.half.z = -1.0;
-  expect_refused(track, Status::kInvalidArgument);
-  track = Track{};
-  track.shape = static_cast<TrackShape>(3);
-  expect_refused(track, Status::kInvalidArgument);
-  track = Track{};
-  track.end = static_cast<TrackEnd>(4);
-  expect_refused(track, Status::kInvalidArgument);
-  track = Track{};
-  track.until = -1;
-  EXPECT_EQ(refused(track, which), Status::kRunning);
-  track.end = TrackEnd::kGone;
-  expect_refused(track, Status::kInvalidArgument);
-  track = Track{};
-  track.piece_count = 1;
-  expect_refused(track, Status::kInvalidArgument);
-  track.piece_count = -1;
-  expect_refused(track, Status::kInvalidArgument);
-  TrackPiece piece{};
-  track.pieces = &piece;
-  track.piece_count = 1;
-  expect_refused(track, Status::kInvalidArgument);
-  piece.duration = kNan;
-  expect_refused(track, Status::kNonFiniteInput);
-  piece.duration = 1.0;
-  piece.points[7].x = kNan;
-  expect_refused(track, Status::kNonFiniteInput);
-}
-
-TEST(TrackProof, RefusesListsAndGrounds) {
-  const Trajectory plan = along_x();
-  const std::vector<Track> many(kMaxTracks + 1);
-  TrackGrounds grounds;
-  TrackProof proof;
-  grounds.count = 1;
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kInvalidArgument);
-  grounds.tracks = many.data();
-  grounds.count = -1;
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kInvalidArgument);
-  grounds.count = kMaxTracks + 1;
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kTracksFull);
-  EXPECT_EQ(proof.report().track, kNoTrack);
-  grounds.count = 1;
-  grounds.radius = -1.0;
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kInvalidArgument);
-  grounds.radius = 0.0;
-  grounds.rest = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kInvalidArgument);
-  grounds.rest = 0.0;
-  EXPECT_EQ(proof.begin(Trajectory{}, 0.0, grounds), Status::kInvalidArgument);
-  const std::vector<TrackPiece> pieces(kMaxTrackPieces + 1, TrackPiece{1.0, {}});
-  Track track;
-  track.pieces = pieces.data();
-  track.piece_count = kMaxTrackPieces + 1;
-  grounds.tracks = &track;
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kTrackPiecesFull);
-  EXPECT_EQ(proof.report().track, 0);
-  track.piece_count = kMaxTrackPieces;
-  EXPECT_EQ(proof.begin(plan, 0.0, grounds), Status::kRunning);
-}
-
-TEST(TrackProof, MalformedTrajectory) {
-  Trajectory plan = along_x();
-  plan.segments[0].points[3].y = std::numeric_limits<double>::quiet_NaN();
-  const TimedAnswer answer = prove(plan, {ball_at({9.0, 9.0, 9.0}, 0.1)});
-  EXPECT_EQ(answer.report.finding, Finding::kMalformed);
-  EXPECT_EQ(answer.until, 0.0);
 }
 
 }  // namespace

@@ -1,17 +1,16 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <memory>
 
 #include "curve/brake.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
 #include "support/box_corridor.hpp"
 #include "support/chain.hpp"
+#include "trajectory/stage_flight.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/trajectory_stage.hpp"
 
@@ -19,52 +18,12 @@ namespace {
 
 using namespace tern;
 using tern_test::box_around;
+using tern_test::corner;
+using tern_test::Flight;
+using tern_test::kAgileLimits;
 using tern_test::kTwo;
 using tern_test::kUnlimited;
-using tern_test::resting;
-
-/// The speed limit alone decides how long a flight takes.
-constexpr Limits kAgileLimits{{1.0, 1.0, 1.0}, {4.0, 4.0, 4.0}};
-
-/// A plan with everything that it was made from and says about itself.
-struct Flight {
-  std::unique_ptr<TrajectoryStage> stage = std::make_unique<TrajectoryStage>();
-  Trajectory plan;
-  Status status;
-  Operations spent = 0;
-
-  /// Runs in slices; stopped once `budget` is spent.
-  Flight(const Corridor& corridor, const TrajectoryQuery& query, std::uint32_t slice = kUnlimited, int fill = 0,
-         std::uint32_t budget = kUnlimited) {
-    std::memset(static_cast<void*>(stage.get()), fill, sizeof(TrajectoryStage));
-    std::memset(static_cast<void*>(&plan), 0, sizeof(plan));
-    tern_test::begin_trajectory(*stage, corridor, query);
-    Progress progress = Progress::kMore;
-    while (progress == Progress::kMore) {
-      Work work = Work{slice}.within(kUnit * budget - spent);
-      const Operations given = work.operations();
-      progress = trajectory_advance(*stage, corridor, work, plan);
-      spent += given - work.operations();
-      if (progress == Progress::kMore && spent >= kUnit * budget) trajectory_stop(*stage);
-    }
-    status = stage->status;
-  }
-  bool same_plan(const Flight& other) const { return std::memcmp(&plan, &other.plan, sizeof(plan)) == 0; }
-};
-
-Corridor corner() {
-  Corridor corridor{};
-  corridor.count = 3;
-  corridor.polyhedra[0] = box_around({0, 0, 1}, {4, 0, 1}, 0.4);
-  corridor.polyhedra[1] = box_around({4, 0, 1}, {4, 3, 1}, 0.3);
-  corridor.polyhedra[2] = box_around({4, 3, 1}, {8, 3, 2}, 0.5);
-  return corridor;
-}
-
-TrajectoryQuery rest_to_rest(const Corridor& corridor) {
-  return {resting(corridor.polyhedra[0].from), resting(corridor.polyhedra[corridor.count - 1].to), kTwo,
-          kDefaultTimeWeight};
-}
+using tern_test::rest_to_rest;
 
 TEST(TrajectoryStage, StartIsGoalHovers) {
   Corridor corridor{};
@@ -139,55 +98,6 @@ TEST(TrajectoryStage, TheWeightTradesDurationAgainstSnap) {
   }
 }
 
-TEST(TrajectoryStage, NoBudgetIsStopAndGo) {
-  const Corridor corridor = corner();
-  const Flight run(corridor, rest_to_rest(corridor), kUnlimited, 0, 0);
-  ASSERT_EQ(run.status, Status::kOk);
-  EXPECT_EQ(run.stage->quality, Quality::kStopAndGo);
-  EXPECT_EQ(run.stage->optimiser, Status::kBudgetOptimise);
-  EXPECT_EQ(run.stage->solves, 0);
-  EXPECT_EQ(run.plan.count, 3);
-}
-
-void every_budget_gives_a_plan(double weight, const Limits& limits) {
-  const Corridor corridor = corner();
-  TrajectoryQuery query = rest_to_rest(corridor);
-  query.limits = limits;
-  query.time_weight = weight;
-  const Flight full(corridor, query);
-  const auto all = static_cast<std::uint32_t>(full.spent / kUnit);
-  const double rate = weight * full.stage->refinement.unit;
-  double last = 1e9;
-  const std::uint32_t stride = all / static_cast<std::uint32_t>(tern_test::scaled(200));
-  for (std::uint32_t budget = 0; budget <= all + 1;
-       budget = budget < all ? std::min(budget + stride, all) : budget + 1) {
-    const Flight run(corridor, query, kUnlimited, 0, budget);
-    ASSERT_EQ(run.status, Status::kOk);
-    // More budget never gives a costlier plan; the whole of it gives the same bits as no bound.
-    const double cost = snap_cost(run.plan) + rate * duration(run.plan);
-    EXPECT_LE(cost, last * (1.0 + 1e-9));
-    last = cost;
-    if (budget > all) {
-      EXPECT_EQ(run.stage->optimiser, Status::kOk);
-      EXPECT_TRUE(run.same_plan(full));
-    } else if (budget < all / 2) {
-      EXPECT_EQ(run.stage->optimiser, Status::kBudgetOptimise);
-    }
-  }
-}
-
-TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
-  every_budget_gives_a_plan(kDefaultTimeWeight, kTwo);
-}
-
-TEST(TrajectoryStage, EveryBudgetGivesAPlanOnEveryRung) {
-  every_budget_gives_a_plan(1000.0, kTwo);
-}
-
-TEST(TrajectoryStage, EveryBudgetGivesAPlanOnRungsBelow) {
-  every_budget_gives_a_plan(kDefaultTimeWeight, kAgileLimits);
-}
-
 TEST(TrajectoryStage, AgileLimitsAreApproachedFromSmallerWeights) {
   const Corridor corridor = corner();
   TrajectoryQuery query = rest_to_rest(corridor);
@@ -198,41 +108,6 @@ TEST(TrajectoryStage, AgileLimitsAreApproachedFromSmallerWeights) {
   EXPECT_EQ(run.stage->refinement.rung, 0);
   // 11.1 m at 1 m/s, and little more; some of it across the corner.
   EXPECT_LT(duration(run.plan), 11.4);
-}
-
-TEST(TrajectoryStage, SlicingChangesNothing) {
-  const Corridor corridor = corner();
-  const Flight whole(corridor, rest_to_rest(corridor));
-  for (const std::uint32_t slice : {1u, 2u, 3u, 7u, 50u}) {
-    const Flight sliced(corridor, rest_to_rest(corridor), slice);
-    EXPECT_TRUE(sliced.same_plan(whole));
-    EXPECT_EQ(sliced.stage->iterations, whole.stage->iterations);
-    EXPECT_EQ(sliced.stage->solves, whole.stage->solves);
-  }
-}
-
-TEST(TrajectoryStage, SlicingAndABudgetAgree) {
-  const Corridor corridor = corner();
-  for (std::uint32_t budget = 1; budget < 3000; budget += 1 + budget / 4) {
-    const Flight whole(corridor, rest_to_rest(corridor), kUnlimited, 0, budget);
-    for (const std::uint32_t slice : {1u, 2u, 5u}) {
-      const Flight sliced(corridor, rest_to_rest(corridor), slice, 0, budget);
-      EXPECT_TRUE(sliced.same_plan(whole));
-      EXPECT_EQ(sliced.stage->optimiser, whole.stage->optimiser);
-    }
-  }
-}
-
-TEST(TrajectoryStage, NoWorkIsNoProgress) {
-  const Corridor corridor = corner();
-  const auto stage = std::make_unique<TrajectoryStage>();
-  tern_test::begin_trajectory(*stage, corridor, rest_to_rest(corridor));
-  Trajectory plan{};
-  plan.count = 77;
-  Work work{0};
-  EXPECT_EQ(trajectory_advance(*stage, corridor, work, plan), Progress::kMore);
-  EXPECT_EQ(stage->solves, 0);
-  EXPECT_EQ(plan.count, 77);
 }
 
 TEST(TrajectoryStage, TheWorkspacesContentDoesNotMatter) {
@@ -282,16 +157,6 @@ TEST(TrajectoryStage, TurnsAroundInABoxOfNoLength) {
   for (int i = 0; i < run.plan.count; ++i) EXPECT_TRUE(inside(run.plan.segments[i], corridor.polyhedra[0]));
 }
 
-TEST(TrajectoryStage, BrakesFirstWhereThereIsNoBudget) {
-  Corridor corridor = corner();
-  TrajectoryQuery query = rest_to_rest(corridor);
-  query.start.velocity = {1.0, 0, 0};
-  const Flight run(corridor, query, kUnlimited, 0, 0);
-  ASSERT_EQ(run.status, Status::kOk);
-  EXPECT_EQ(run.stage->quality, Quality::kStopAndGo);
-  EXPECT_EQ(run.plan.count, kBrakeSegments + corridor.count);
-}
-
 TEST(TrajectoryStage, NoTrajectoryWhereAWallIsTooClose) {
   const Corridor corridor = corner();
   TrajectoryQuery query = rest_to_rest(corridor);
@@ -301,15 +166,6 @@ TEST(TrajectoryStage, NoTrajectoryWhereAWallIsTooClose) {
   EXPECT_EQ(run.stage->quality, Quality::kNone);
   EXPECT_NE(run.stage->optimiser, Status::kOk);
   EXPECT_EQ(run.plan.count, 0);
-}
-
-TEST(TrajectoryStage, FullOfSegments) {
-  tern_test::Random random(5);
-  const auto corridor = std::make_unique<Corridor>(tern_test::random_corridor(random, kMaxSegments, 1.5, 0.3));
-  const Flight run(*corridor, rest_to_rest(*corridor));
-  ASSERT_EQ(run.status, Status::kOk);
-  EXPECT_NE(run.stage->quality, Quality::kNone);
-  EXPECT_EQ(run.plan.count, kMaxSegments);
 }
 
 }  // namespace
