@@ -111,9 +111,11 @@ def tern(program, *arguments):
 
 
 def show(tab, page, **screen):
+    """The page on a screen of this size. One that is open already stays open: its shaders take seconds to compile."""
     tab.screen(**screen)
-    tab.open(page.as_uri(), "window.page")
-    tab.run(PROBES)
+    if tab.run("location.href") != page.as_uri():
+        tab.open(page.as_uri(), "window.page")
+        tab.run(PROBES)
     tab.run("page.player.set(0.4 * page.player.end)")
     tab.run(DRAWN)
 
@@ -158,6 +160,13 @@ def check_pages(tab, pages):
                 tab.run(DRAWN)
                 check(len(tab.run("probe.boxes('#layers label')")) > 3, f"{name}, {screen}: the key opens")
                 check_layout(tab, f"{name}, {screen}, with its key", size["width"], size["height"], 0.35)
+                tab.click("#key")
+
+
+def check_opened_on_phone(tab, page):
+    size = SCREENS["upright phone"]
+    show(tab, page, **size)
+    check_layout(tab, "opened on a phone", size["width"], size["height"])
 
 
 def check_ways(tab, page):
@@ -179,8 +188,8 @@ def check_vehicle(tab, page):
             x, y = (left + right) / 2, (top + bottom) / 2
             boxes[name] = [x - 60, y - 60, x + 60, y + 60]
         seen = []
-        for part in range(1, 24):
-            tab.run(f"page.player.set(page.player.end * {part} / 24)")
+        for part in range(1, 12):
+            tab.run(f"page.player.set(page.player.end * {part} / 12)")
             seen.append(tab.run(f"probe.vehicle({boxes[name]})"))
         least, part = min(shown for shown, _ in seen), min(shown / max(alone, 1) for shown, alone in seen)
         print(f"{name}: {least} pixels of the vehicle at least; of what an empty world shows, {part:.2f}")
@@ -189,10 +198,10 @@ def check_vehicle(tab, page):
 
 def check_colours(tab, page):
     """The key's colours are drawn; a dropped plan stands out."""
-    show(tab, page, **SCREENS["desktop"])
+    show(tab, page, width=800, height=600)
     # A dropped plan is drawn for a moment, the braking manoeuvre is longest at full speed.
     times = tab.run("[...page.runs[0].film.dropped.map((drop) => drop.t + 0.05), "
-                    "...Array.from({length: 23}, (_, i) => page.player.end * (i + 1) / 24)]")
+                    "...Array.from({length: 11}, (_, i) => page.player.end * (i + 1) / 12)]")
     for theme in ("light", "dark"):
         tab.run(f"page.setTheme('{theme}')")
         names = ["known", "commit", "brake", "dropped", "seen"]
@@ -235,9 +244,10 @@ def main():
     with browser.Browser(path) as tab:
         check_pages(tab, pages)
         check_ways(tab, pages["maps"])
+        check_sensor(tab, pages["flight"])
         check_vehicle(tab, pages["flight"])
         check_colours(tab, dropped)
-        check_sensor(tab, pages["flight"])
+        check_opened_on_phone(tab, pages["plan"])
         check(not tab.faults, f"errors in the browser: {tab.faults}")
     sys.exit(1 if failures else 0)
 
