@@ -107,6 +107,15 @@ TEST(Swarm, DiscoversWhatStandsStill) {
   EXPECT_EQ(replay_swarm(read_swarm_record(write_swarm_record(record))), "");
 }
 
+// Six vehicles want through an opening that is as wide as two of them, from both sides; and a maze has no room above.
+TEST(Swarm, PassesGapsAndMazes) {
+  for (const char* name : {"gap-6:1", "T10S-4:1", "T10D-4:1"}) {
+    const SwarmResult result = fly(name, {});
+    EXPECT_EQ(result.arrived(), static_cast<int>(result.members.size())) << name;
+    EXPECT_TRUE(result.contacts.empty()) << name;
+  }
+}
+
 // Seventy vehicles have more plans than a flight has room for: the swarm says so.
 TEST(Swarm, SaysWhichPlansAFlightHasNoRoomFor) {
   SwarmWorld world = swarm_world("field-70:1");
@@ -182,6 +191,7 @@ TEST(SwarmWorld, RefusesNamesThatAreNone) {
   }
   EXPECT_EQ(swarm_world("T10-7:3").tasks.size(), 7u);
   EXPECT_EQ(swarm_world("T9-10:1").blocks.size(), 180u);
+  EXPECT_GT(swarm_world("T10D-10:1").blocks.size(), swarm_world("T10S-10:1").blocks.size());
 }
 
 // Two bodies of 0.3 m cross at 90 degrees, the second one late by `late` seconds, at 2 m/s. Their centres come as near

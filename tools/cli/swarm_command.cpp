@@ -137,6 +137,24 @@ int fly(SwarmOptions& options) {
   return all ? kExitOk : kExitNoPlan;
 }
 
+void add_link_options(CLI::App* command, SwarmOptions& options) {
+  tern_host::SwarmSettings& s = options.settings;
+  command->add_option("--seed", s.seed, "Of links and clocks")->capture_default_str();
+  command->add_option("--loss", s.links.loss, "Part of the packets that is lost")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--burst", s.links.burst, "Packets in a row that are lost, on average")
+      ->check(CLI::Range(1.0, 1000.0));
+  command->add_option("--delay-min", s.links.delay_min, "Least delay of a packet, s")->check(CLI::Range(0.0, 10.0));
+  command->add_option("--delay", s.links.delay_max, "Largest delay of a packet, s")->check(CLI::Range(0.0, 10.0));
+  command->add_option("--repeated", s.links.repeated, "Part of the packets that comes twice")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--partition", options.partition, "Even and odd vehicles do not hear each other then, s")
+      ->type_name("FROM UNTIL")
+      ->expected(2);
+  command->add_option("--deaf", s.links.deaf, "This vehicle hears nobody");
+  command->add_option("--silent", s.links.silent, "This vehicle is not heard any more");
+  command->add_option("--silent-from", s.links.silent_from, "From then on, s");
+}
+
 }  // namespace
 
 void add_swarm_command(CLI::App& app, int& exit_status) {
@@ -148,20 +166,7 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
       ->required();
   command->add_option("--runs", options->runs, "Fly so many worlds, with seeds from that one on")
       ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", s.seed, "Of links and clocks")->capture_default_str();
-  command->add_option("--loss", s.links.loss, "Part of the packets that is lost")->check(CLI::Range(0.0, 1.0));
-  command->add_option("--burst", s.links.burst, "Packets in a row that are lost, on average")
-      ->check(CLI::Range(1.0, 1000.0));
-  command->add_option("--delay-min", s.links.delay_min, "Least delay of a packet, s")->check(CLI::Range(0.0, 10.0));
-  command->add_option("--delay", s.links.delay_max, "Largest delay of a packet, s")->check(CLI::Range(0.0, 10.0));
-  command->add_option("--repeated", s.links.repeated, "Part of the packets that comes twice")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--partition", options->partition, "Even and odd vehicles do not hear each other then, s")
-      ->type_name("FROM UNTIL")
-      ->expected(2);
-  command->add_option("--deaf", s.links.deaf, "This vehicle hears nobody");
-  command->add_option("--silent", s.links.silent, "This vehicle is not heard any more");
-  command->add_option("--silent-from", s.links.silent_from, "From then on, s");
+  add_link_options(command, *options);
   command->add_option("--clock-error", s.clock_error, "By how much two clocks differ at most, s")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--time-limit", options->time_limit, "s of flight at most (default: of the scene)")

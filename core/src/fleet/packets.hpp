@@ -7,6 +7,7 @@
 #ifndef TERN_FLEET_PACKETS_HPP
 #define TERN_FLEET_PACKETS_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "fleet/bytes.hpp"
@@ -79,7 +80,8 @@ struct Assembly {
       if ((has[part / 8] & bit) != 0) continue;
       has[part / 8] = static_cast<std::uint8_t>(has[part / 8] | bit);
       --missing;
-      for (std::int32_t b = 0; b < kPartBytes && k + b < packet_size; ++b) bytes[part * kPartBytes + b] = packet[k + b];
+      const std::int32_t count = packet_size - k < kPartBytes ? packet_size - k : kPartBytes;
+      __builtin_memcpy(bytes + part * kPartBytes, packet + k, static_cast<std::size_t>(count));
     }
     if (missing == 0 && crc32(bytes, size) != crc) clear();
   }

@@ -10,6 +10,7 @@
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/swarm/swarm_mazes.hpp"
 
 namespace tern_host {
 namespace {
@@ -102,6 +103,51 @@ SwarmWorld lsc(int count, Noise& random) {
   return world;
 }
 
+/// LSC's circle in mazes. Theirs are planar; here, too, none can pass over another one.
+SwarmWorld maze(int count, double part, Noise& random) {
+  SwarmWorld world;
+  world.boundary = {{-5.0, -5.0, 0.7}, {5.0, 5.0, 1.3}};
+  world.limits = limits_of(1.0, 2.0, 10.0);
+  world.body_radius = 0.15;
+  world.cell = 0.1;
+  world.horizon = 9.0;
+  world.time_limit = 180.0;
+  add_circle(world, count, 4.0, 1.0, 0.0);
+  add_maze(world, 8, 1.25, part, 0.3, random);
+  return world;
+}
+
+SwarmWorld sparse_maze(int count, Noise& random) {
+  return maze(count, 0.4, random);
+}
+
+SwarmWorld dense_maze(int count, Noise& random) {
+  return maze(count, 0.8, random);
+}
+
+/// LSC's narrow gap, as wide as high: half of them on each side of a wall, all to the other side.
+SwarmWorld gap(int count, Noise&) {
+  SwarmWorld world;
+  world.boundary = {{-6.0, -6.0, 0.0}, {6.0, 6.0, 2.0}};
+  world.limits = limits_of(1.0, 2.0, 10.0);
+  world.body_radius = 0.15;
+  world.cell = 0.1;
+  world.horizon = 9.0;
+  world.time_limit = 180.0;
+  const int half = (count + 1) / 2;
+  for (int k = 0; k < count; ++k) {
+    const double side = k < half ? -1.0 : 1.0;
+    const double y = 0.5 * (k % half) - 0.25 * (half - 1);
+    world.tasks.push_back({{3.0 * side, y, 1.0}, {goal_at({-3.0 * side, -y, 1.0})}, 0.0, 0});
+  }
+  constexpr double kOpen = 0.4;  // half of the opening
+  world.blocks = {{{-0.1, -6.0, 0.0}, {0.1, -kOpen, 2.0}},
+                  {{-0.1, kOpen, 0.0}, {0.1, 6.0, 2.0}},
+                  {{-0.1, -kOpen, 0.0}, {0.1, kOpen, 1.0 - kOpen}},
+                  {{-0.1, -kOpen, 1.0 + kOpen}, {0.1, kOpen, 2.0}}};
+  return world;
+}
+
 /// Swaps in empty space, as the prototypes of design papers fly them: 8 m, 2.5 m/s.
 SwarmWorld swap(int count, Noise&) {
   SwarmWorld world;
@@ -169,6 +215,9 @@ constexpr Family kFamilies[] = {
     {"T7", "EGO-Swarm's circle of 12 m at 1.5 m/s, pillars in the middle", ego},
     {"T9", "HDSM's circle of 22 m at 5 m/s, 180 posts", hdsm},
     {"T10", "LSC's circle of 4 m at 1 m/s, 40 posts", lsc},
+    {"T10S", "the same in sparse mazes, in which none can pass over another one", sparse_maze},
+    {"T10D", "the same in dense mazes", dense_maze},
+    {"gap", "LSC's narrow gap at 1 m/s: half of them on each side, all to the other side", gap},
     {"swap", "a circle of 8 m at 2.5 m/s, empty", swap},
     {"pad", "a landing pad that all visit in turn", pad},
     {"field", "random starts and goals at 3 m/s in a field that grows with the number", field},
