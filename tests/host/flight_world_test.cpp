@@ -213,9 +213,8 @@ TEST(FlightWorld, SaysWhatToDoAboutTime) {
     return std::string();
   };
   EXPECT_EQ(refusal("keepout 1 1 1 2 2 2"), "");
-  EXPECT_EQ(refusal("keepout 1 1 1 2 2 2 during 0 5"),
-            ":2: flights take no fences for a while: leave out 'during', and the fence always holds. 'tern plan' plans "
-            "with its times");
+  EXPECT_EQ(refusal("keepout 1 1 1 2 2 2 during 0 5 0.5"), "");
+  EXPECT_EQ(refusal("keepout 1 1 1 2 2 2 during 5 0"), ":2: 'during' ends before it begins, or at once");
   EXPECT_EQ(
       refusal("track a ball 0.3 at 3 3 1"),
       ":2: there is no record 'track' for flights: what moves in a flight's world is a 'thing', which says how it "

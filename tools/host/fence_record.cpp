@@ -213,7 +213,12 @@ nlohmann::ordered_json fence_json(const FenceRecord& fence) {
   nlohmann::ordered_json planes = nlohmann::ordered_json::array();
   for (const Halfspace& p : fence.planes) planes.push_back({p.normal.x, p.normal.y, p.normal.z, p.offset});
   const bool keeps_in = fence.fence.kind == tern::FenceKind::kKeepIn;
-  return {{"kind", keeps_in ? "keep_in" : "keep_out"}, {"half_spaces", planes}};
+  nlohmann::ordered_json json{{"kind", keeps_in ? "keep_in" : "keep_out"}, {"half_spaces", planes}};
+  if (!tern::is_timed(fence.fence)) return json;
+  json["from_ns"] = fence.fence.from;
+  json["until_ns"] = fence.fence.until;
+  json["clock_error_s"] = fence.fence.clock_error;
+  return json;
 }
 
 double fence_gap(const FenceRecord& fence, const Vec3& point) {

@@ -42,7 +42,7 @@ struct FenceTimes {
 /// Takes `during t0 t1` or `during t0 t1 error` off the end of a record. Throws RecordError.
 FenceTimes take_window(const Place& place, Words& words);
 
-/// The most fences of a file. A request takes fewer (TERN_MAX_FENCES): Session::plan() chooses, flights refuse.
+/// The most fences of a file. A request takes fewer (TERN_MAX_FENCES): Session::plan() chooses, flights refuse them.
 constexpr std::size_t kMostFences = 4096;
 
 /// Appends the fence of a record for which is_fence() holds. Throws RecordError, also beyond kMostFences.

@@ -70,11 +70,16 @@ Fence fence_of(const Json& json) {
   Fence fence{json.at("kind").get<std::string>() == "keep_in", {}};
   for (const Json& plane : json.at("half_spaces")) fence.planes.push_back({point_of(plane), number_of(plane.at(3))});
   if (fence.planes.empty()) throw InputError("a fence has no half-spaces");
+  if (!json.contains("from_ns")) return fence;
+  const auto seconds = [&](const char* key) { return Rational(json.at(key).get<std::int64_t>()) / 1000000000; };
+  fence.window = Window{seconds("from_ns"), seconds("until_ns"), number_of(json.at("clock_error_s"))};
   return fence;
 }
 
 bool same(const Fence& a, const Fence& b) {
-  return a.keep_in == b.keep_in && a.distance == b.distance && !a.window && !b.window &&
+  const auto times = [](const Fence& f) { return std::tie(f.window->from, f.window->until, f.window->clock_error); };
+  if (a.window.has_value() != b.window.has_value() || (a.window && times(a) != times(b))) return false;
+  return a.keep_in == b.keep_in && a.distance == b.distance &&
          std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), equal_planes);
 }
 

@@ -49,9 +49,14 @@ void prove_clearance(const Demands& demands, const Commit& commit, Claims& claim
                     demands.tolerance, place_of(commit.segments, nearest.curve, nearest.u)});
 }
 
+/// Those for a while, on the flight's clock, up to where the commit rests.
 void prove_fences(const Box& boundary, const Demands& demands, const Commit& commit, Claims& claims) {
   const std::vector<Polygon<3>> curves = curves_of(commit);
+  TimedWay way{{}, commit.begin, 0, 0};
+  for (std::size_t s = 0; s < curves.size(); ++s) way.curves.push_back({curves[s], commit.segments[s].duration});
+  prove_windows(way, {demands.fences, boundary, commit.begin, demands.tolerance}, claims);
   for (std::size_t f = 0; f < demands.fences.size(); ++f) {
+    if (demands.fences[f].window) continue;
     const FenceRoom room = fence_room(curves, demands.fences[f], boundary);
     claims.push_back({"fence " + std::to_string(f + 1), "m", room.least, room.most, demands.tolerance,
                       place_of(commit.segments, room.curve, room.u)});

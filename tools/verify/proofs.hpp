@@ -49,8 +49,16 @@ void prove_turns(const std::vector<Segment>& segments, const std::vector<Bound>&
 /// The curve, for all t, keeps the clearance from each solid voxel.
 void prove_clearance(const Subject& subject, Claims& claims);
 
-/// Likewise for fences for a while, at the times at which they hold.
-void prove_windows(const Subject& subject, Claims& claims);
+/// Fences for a while, which a curve must respect at the times at which they hold.
+struct FenceTimes {
+  const std::vector<Fence>& fences;
+  const Box& boundary;
+  Rational zero;       ///< claims say times since this, s
+  Rational tolerance;  ///< m
+};
+
+/// Likewise for these.
+void prove_windows(const TimedWay& way, const FenceTimes& demand, Claims& claims);
 
 /// The plan in time.
 TimedWay way_of(const Subject& subject);

@@ -34,7 +34,7 @@ Claims prove(const Problem& problem, const Plan& plan) {
   prove_vias(subject, claims);
   prove_boundary(subject, claims);
   prove_fences(subject, claims);
-  prove_windows(subject, claims);
+  prove_windows(way_of(subject), {problem.fences, problem.boundary, problem.start_time, decimal(2, 9)}, claims);
   prove_clearance(subject, claims);
   prove_tracks(subject, claims);
   prove_bounds(plan.segments, problem.bounds, claims);

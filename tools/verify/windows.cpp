@@ -15,9 +15,6 @@ namespace {
 /// What stands for the room where no keep-in holds, metres.
 constexpr int kNoRoom = -1000000;
 
-/// What docs/fences.md grants a plan, metres.
-const Rational kGranted = decimal(2, 9);
-
 /// A part of the plan during which the same fences hold.
 struct Stretch {
   Polygon<3> curve;
@@ -64,29 +61,29 @@ struct Task {
     stretches.push_back(&stretch);
   }
 
-  Claim claim(const std::string& what, const Subject& subject, const Rational& tolerance) const {
-    const FenceRoom room = fence_room(curves, fences, subject.problem.boundary);
+  Claim claim(const std::string& what, const FenceTimes& demand) const {
+    const FenceRoom room = fence_room(curves, fences, demand.boundary);
     const Stretch& at = *stretches[room.curve];
-    const Rational time = at.from + room.u * (at.to - at.from) - subject.problem.start_time;
-    return {what, "m", room.least, room.most, tolerance, "t = " + text_below(time) + " s"};
+    const Rational time = at.from + room.u * (at.to - at.from) - demand.zero;
+    return {what, "m", room.least, room.most, demand.tolerance, "t = " + text_below(time) + " s"};
   }
 };
 
-void prove_keep_out(const Subject& subject, const std::vector<Stretch>& stretches, std::size_t f, Claims& claims) {
-  const Fence& fence = subject.problem.fences[f];
+void prove_keep_out(const FenceTimes& demand, const std::vector<Stretch>& stretches, std::size_t f, Claims& claims) {
+  const Fence& fence = demand.fences[f];
   Task task;
   for (const Stretch& stretch : stretches) {
     if (begin_of(fence) < stretch.to && stretch.from < end_of(fence)) task.add(stretch, {&fence});
   }
   if (task.curves.empty()) return;
-  claims.push_back(task.claim("fence " + std::to_string(f + 1) + " for a while", subject, kGranted));
+  claims.push_back(task.claim("fence " + std::to_string(f + 1) + " for a while", demand));
 }
 
-void prove_keep_ins(const Subject& subject, const std::vector<Stretch>& stretches, Claims& claims) {
+void prove_keep_ins(const FenceTimes& demand, const std::vector<Stretch>& stretches, Claims& claims) {
   Task task;
   for (const Stretch& stretch : stretches) {
     std::vector<const Fence*> holding;
-    for (const Fence& fence : subject.problem.fences) {
+    for (const Fence& fence : demand.fences) {
       const bool is_room = fence.window && fence.keep_in;
       if (is_room && begin_of(fence) <= stretch.from && stretch.to <= end_of(fence)) holding.push_back(&fence);
     }
@@ -94,26 +91,25 @@ void prove_keep_ins(const Subject& subject, const std::vector<Stretch>& stretche
       task.add(stretch, holding);
       continue;
     }
-    const Rational time = stretch.from - subject.problem.start_time;
-    claims.push_back(
-        {"keep-ins for a while", "m", kNoRoom, kNoRoom, kGranted, "t = " + text_below(time) + " s, where none holds"});
+    const Rational time = stretch.from - demand.zero;
+    claims.push_back({"keep-ins for a while", "m", kNoRoom, kNoRoom, demand.tolerance,
+                      "t = " + text_below(time) + " s, where none holds"});
     return;
   }
-  claims.push_back(task.claim("keep-ins for a while", subject, kGranted));
+  claims.push_back(task.claim("keep-ins for a while", demand));
 }
 
 }  // namespace
 
-void prove_windows(const Subject& subject, Claims& claims) {
-  const Problem& problem = subject.problem;
-  const std::vector<Stretch> stretches = stretches_of(way_of(subject), problem.fences);
+void prove_windows(const TimedWay& way, const FenceTimes& demand, Claims& claims) {
+  const std::vector<Stretch> stretches = stretches_of(way, demand.fences);
   bool has_keep_ins = false;
-  for (std::size_t f = 0; f < problem.fences.size(); ++f) {
-    if (!problem.fences[f].window) continue;
-    has_keep_ins = has_keep_ins || problem.fences[f].keep_in;
-    if (!problem.fences[f].keep_in) prove_keep_out(subject, stretches, f, claims);
+  for (std::size_t f = 0; f < demand.fences.size(); ++f) {
+    if (!demand.fences[f].window) continue;
+    has_keep_ins = has_keep_ins || demand.fences[f].keep_in;
+    if (!demand.fences[f].keep_in) prove_keep_out(demand, stretches, f, claims);
   }
-  if (has_keep_ins) prove_keep_ins(subject, stretches, claims);
+  if (has_keep_ins) prove_keep_ins(demand, stretches, claims);
 }
 
 }  // namespace tern_verify

@@ -35,8 +35,8 @@ struct Fence {
   /// At least 1, and at most kMaxFencePlanes for all fences of a request together.
   int32_t count;
   FenceKind kind;
-  /// Of a fence for a while: when it begins and ends, nanoseconds of the clock of Request::begin. If both are equal,
-  /// the fence always holds; `until` may not be before `from` (kInvalidArgument).
+  /// Of a fence for a while: when it begins and ends, nanoseconds of the clock of Request::begin, or of Flight::tick().
+  /// If both are equal, the fence always holds; `until` may not be before `from` (kInvalidArgument).
   int64_t from = 0;
   int64_t until = 0;
   /// s, >= 0 and finite: by how much the clock of the fence may differ from that of the plan, to both sides. A keep-out
@@ -45,7 +45,7 @@ struct Fence {
 };
 
 /// True for a fence for a while. Plans are proven to respect it, and led around a keep-out in time. If a request has
-/// keep-ins for a while, the centre is in one of those that hold, at all times. Flights refuse such fences.
+/// keep-ins for a while, the centre is in one of those that hold, at all times.
 constexpr bool is_timed(const Fence& fence) noexcept {
   return fence.from != fence.until;
 }

@@ -46,8 +46,8 @@ struct FlightSpec {
   double near;
   /// How fast the vehicle turns its sensor, rad/s, >= 0.001. A look around gives each direction the time of that turn.
   double yaw_rate;
-  /// Geofences, `fence_count` of them, valid as for a Request, or null. All committed plans respect them. They and
-  /// their half-spaces are yours and must outlive the flight, unchanged.
+  /// Geofences, `fence_count` of them, valid as for a Request, or null. All committed plans respect them; fences for a
+  /// while, up to where the plan rests. They and their half-spaces are yours and must outlive the flight, unchanged.
   const Fence* fences = nullptr;
   int32_t fence_count = 0;
   /// Nanoseconds without a new frame after which FlightReport::map_stale is true, >= 0; 0: never, for flights over a
@@ -135,8 +135,8 @@ class Flight {
   /// kNonFiniteInput; kInvalidArgument (spec out of range, map not bound, busy or with radius 0, a window too short for
   /// the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull, kFencePlanesFull or kFenceEmpty;
   /// kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced if the
-  /// position breaks a fence. A refused call leaves the flight without a binding. `refusal` receives what is wrong; it
-  /// may be null.
+  /// position breaks a fence that holds at `t`. A refused call leaves the flight without a binding. `refusal` receives
+  /// what is wrong; it may be null.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
                const Vec3& position, int64_t t, FlightRefusal* refusal = nullptr) noexcept;
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves
@@ -144,9 +144,10 @@ class Flight {
   Status set_goal(const Vec3& goal) noexcept;
   /// Says what is known of a goal at once, before or after it is set, and changes nothing: kOk, if nothing that was
   /// seen, marked or stated (RollingMap::assume_column) is nearer to it than the radius, but what was not seen may be;
-  /// kGoalOccupied, if something is, and a flight would end beside it; kGoalFenced; kNonFiniteInput; kInvalidArgument
-  /// before start(). `why` receives what is in the way; it may be null. For a goal at the ground, fly to a point that
-  /// is FlightRefusal::needed above it, or call land(). Reads the voxels within the radius of the goal.
+  /// kGoalOccupied, if something is, and a flight would end beside it; kGoalFenced, by a fence that always
+  /// holds; kNonFiniteInput; kInvalidArgument before start(). `why` receives what is in the way; it may be null. For a
+  /// goal at the ground, fly to a point that is FlightRefusal::needed above it, or call land(). Reads the voxels within
+  /// the radius of the goal.
   Status check_goal(const Vec3& goal, FlightRefusal* why = nullptr) const noexcept;
   /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
   /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m. If its `stop` is true,
@@ -238,10 +239,10 @@ class Flight {
   /// Gives answers another time than FlightSpec::clearance did, from the next plan on. kOk; kInvalidArgument for a time
   /// that is not above 0 and at most 10 s, for a flight whose plans need no clearance, or before start().
   Status set_clearance(int64_t clearance) noexcept;
-  /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, on the clock
-  /// of tick(): a vehicle that rests there may be run into later. As the last tick knew them; it may be over. INT64_MAX
-  /// if nothing comes within kRestHorizon, or before start(). While the proof takes more than a quarter of a tick's
-  /// work, the time at which it begins.
+  /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, and of fences
+  /// for a while, on the clock of tick(): a vehicle that rests there may be run into later. As the last tick knew them;
+  /// it may be over. INT64_MAX if nothing comes within kRestHorizon, or before start(). While the proof takes more than
+  /// a quarter of a tick's work, the time at which it begins.
   int64_t rest_clear_until() const noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before

@@ -201,7 +201,8 @@ uint8_t tern_flight_answer(tern_flight* flight, uint32_t number, bool may_fly);
 /* Gives answers so many nanoseconds, from the next plan on. ok; invalid_argument if not above 0 and at most 10 s, or if
    the flight's plans need no clearance. */
 uint8_t tern_flight_set_clearance(tern_flight* flight, int64_t clearance);
-/* Until when the place where the committed plan ends stays clear of all things that move; INT64_MAX: for long. */
+/* Until when the place where the committed plan ends stays clear of all things that move, and of fences for a
+   while; INT64_MAX: for long. */
 int64_t tern_flight_rest_clear_until(const tern_flight* flight);
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
 uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);

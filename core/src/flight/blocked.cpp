@@ -3,6 +3,7 @@
 #include "flight/blocked.hpp"
 
 #include "base/math.hpp"
+#include "flight/closing.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
 #include "prove/fences.hpp"
@@ -161,6 +162,7 @@ void Blockage::note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3
   const Vec3 place = reachable + (smaller(far, clearance) / far) * way;
   for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
     const Fence& next = flight.spec.fences[k];
+    if (is_timed(next) && !is_closed(next, flight.time, 0.0)) continue;
     if (fence_clear(next, {place, clearance, 0.0}, &kZero, 1, work)) continue;
     *this = {BlockedBy::kFence, place, k};
     return;
@@ -173,7 +175,9 @@ void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Rep
   if (!safe.bound()) return;
   if (is_voxel() && safe.obstacle(safe.voxel_of(safe.to_local(at)))) return;
   *this = kNoBlockage;
-  if (is_by_track(found.status)) *this = {BlockedBy::kTrack, aim.place, kNoFence};
+  if (is_by_track(found.status)) {
+    *this = {found.fence == kNoFence ? BlockedBy::kTrack : BlockedBy::kFence, aim.place, found.fence};
+  }
   if (found.status == Status::kGoalFenced) *this = {BlockedBy::kFence, aim.place, found.fence};
   if (found.status == Status::kViaFenced) *this = {BlockedBy::kFence, aim.asked[found.via].position, found.fence};
   if (found.status == Status::kGoalOccupied) note_near(flight.map, aim.place, safe, work);

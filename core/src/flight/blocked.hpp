@@ -33,6 +33,10 @@ struct Blockage {
   Vec3 at;
   std::int32_t fence;  ///< its index for kFence, otherwise kNoFence
 
+  /// It will not be in the way for ever.
+  bool passes(const FlightFacts& flight) const noexcept {
+    return by == BlockedBy::kTrack || (by == BlockedBy::kFence && is_timed(flight.fences[fence]));
+  }
   bool is_voxel() const noexcept { return by == BlockedBy::kObstacle || by == BlockedBy::kUnseen; }
   /// Notes the solid voxel of the safe or route grid that is too near to a place. Returns its distance, or more than
   /// the radius if there is none; kAnywhere while the map slides, because nothing is known of it then.
@@ -49,7 +53,7 @@ struct Blockage {
   void note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, Work& work) noexcept;
 };
 
-/// True if things that move are why there is no plan.
+/// True if things that move, or fences for a while, are why there is no plan.
 bool is_by_track(Status status) noexcept;
 
 constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};

@@ -12,6 +12,10 @@ Vec3 Commitment::end() const noexcept {
   return trajectory.origin + trajectory.segments[trajectory.count - 1].points[kDegree];
 }
 
+std::int64_t Commitment::rests() const noexcept {
+  return begin() + nanoseconds(duration(trajectory)) + 1;
+}
+
 double Commitment::time_of(std::int32_t point) const noexcept {
   for (std::int32_t i = 0; i < passages; ++i) {
     if (passage[i].point == point) return passage[i].time;
@@ -48,7 +52,7 @@ bool CommittedPlans::was_at(std::int64_t t, Vec3& position) const noexcept {
 }
 
 std::int64_t CommittedPlans::rest_begins() const noexcept {
-  return in_flight.begin() + nanoseconds(duration(in_flight.trajectory)) + 1;
+  return in_flight.rests();
 }
 
 void CommittedPlans::hover_at(const Vec3& position) noexcept {

@@ -54,8 +54,9 @@ struct Commitment : Destination {
   std::int64_t begin() const noexcept { return planned.begin; }
   /// The time on the plan, seconds since its beginning.
   double time_at(std::int64_t t) const noexcept { return time_on(planned, t); }
-  /// Where the vehicle rests after `trajectory`, world frame.
+  /// Where the vehicle rests after `trajectory`, world frame, and from when on.
   Vec3 end() const noexcept;
+  std::int64_t rests() const noexcept;
   /// When it passes the point, in seconds since its beginning; kNever if it does not.
   double time_of(std::int32_t point) const noexcept;
 };

@@ -47,8 +47,8 @@ void Lead::shorten(const FlightFacts& flight, std::int64_t takeover) noexcept {
 
 /// The ways to a lookout are tried with all kinds of copies, too: they lead through known space, and where unseen
 /// voxels are solid, they might leave the vehicle no voxel to begin at.
-void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
-                  std::int64_t takeover) noexcept {
+void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, std::int64_t takeover,
+                  Work& work) noexcept {
   hemmed_in = is_hemmed_in(flight, takeover);
   remainder_is_free = steps_aside = false;
   const GridSpec& window = flight.map.route().spec();
@@ -62,13 +62,15 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   const double emptied = hemmed_in ? window.clearance() : 0.0;
   route.begin(flight.map, flight.plans.sample_at(takeover).position, near, hole, emptied);
   expected.expect(flight.tracks, flight.time);
+  note_closing(flight, work);
+  close_fences(flight, takeover, work);
   job = Job::kCopy;
 }
 
 void Cycle::begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   aim.begin(joint_at(in_flight.trajectory, in_flight.time_at(takeover), kZero), flight.itinerary.number);
-  hemmed_in = remainder_is_free = looks_out = false;
+  hemmed_in = remainder_is_free = looks_out = leaves_fence = false;
   job = Job::kWait;
 }
 
@@ -127,7 +129,7 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
   const bool leads_far = (in_flight.at_target && in_flight.target == flight.itinerary.last()) ||
                          aim.way_length(in_flight.place) > kLeastWay * flight.spec.horizon;
   const bool leads_there = in_flight.looks_out && same(in_flight.place, lookouts.place());
-  if (lookouts.leads() ? !leads_there : in_flight.looks_out || !leads_far) return false;
+  if (leaves_fence || (lookouts.leads() ? !leads_there : in_flight.looks_out || !leads_far)) return false;
   aim.follow_place(in_flight);
   looks_out = in_flight.looks_out;
   job = Job::kAskPlan;
@@ -135,13 +137,15 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
 }
 
 void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept {
-  looks_out = lookouts.leads();
+  looks_out = lookouts.leads() && !leaves_fence;
   aim.choose_points(flight, takeover);
-  if (leads_out || steps_back || looks_out) aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
+  if (leads_out || steps_back || looks_out || leaves_fence)
+    aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
   if (looks_out) aim.lead_to(lookouts.place());
   if (leads_out) aim.choose_way_out(flight);
   if (steps_back) aim.choose_step_back(flight);
+  if (leaves_fence) aim.lead_to(way_out_of(flight, flight.fences[closing], aim.start.d[0], closings / 2 - 1));
   ask(flight);
 }
 
@@ -154,7 +158,7 @@ bool Cycle::choose_draft(const FlightFacts& flight, bool planned, Draft& draft) 
   const Commitment& in_flight = flight.plans.in_flight;
   draft.clear();
   if (planned) draft.compose(aim, plan, hemmed_in, looks_out);
-  if (remainder_is_free) {
+  if (remainder_is_free && !leaves_fence) {
     const double remainder = duration(in_flight.planned) - in_flight.time_at(draft.takeover);
     const bool is_better =
         planned && (!same(aim.place, in_flight.place) || arrives_earlier(duration(draft.plan.planned), remainder));

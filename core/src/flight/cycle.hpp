@@ -13,6 +13,7 @@
 #include "base/work.hpp"
 #include "flight/aim.hpp"
 #include "flight/branch_search.hpp"
+#include "flight/closing.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
 #include "flight/lookouts.hpp"
@@ -80,7 +81,12 @@ struct Cycle {
   std::uint32_t question;    ///< number of the last draft that waits, or waited, for an answer
   bool cut_off;              ///< no way leads to the target, and the vehicle rests as near to it as it can
   bool steps_aside;          ///< the plan leads out of the way of something that moves, no nearer to the target
-  std::uint32_t met_things;  ///< plans in a row that failed because of things that move
+  std::uint32_t met_things;  ///< plans in a row that failed because of things that move, or fences for a while
+  std::int32_t closing;      ///< the fence that is about to begin where the vehicle rests, or will; kNoFence: none
+  std::uint32_t closings;    ///< cycles in a row for which there was one
+  bool leaves_fence;         ///< the plan leads out of it
+  Fence routed[kMaxFences];  ///< for routes: keep-outs that are closed, or soon will be, are closed at all times
+  bool has_closed;           ///< the route leads around some of these
   BranchSearch branches;
   Sidesteps sidesteps;
   bool gave_way;        ///< the last cycle looked for a sidestep: the next one plans
@@ -88,8 +94,8 @@ struct Cycle {
 
   void leave() noexcept { job = Job::kIdle; }
   void forget_cut_off() noexcept { cut_off = false; }
-  void begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts,
-             std::int64_t takeover) noexcept;
+  void begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, std::int64_t takeover,
+             Work& work) noexcept;
   /// The draft is a lift: only its proof is left to do.
   void begin_lift(const FlightFacts& flight, std::int64_t takeover) noexcept;
   /// Begins to look for a sidestep, if the vehicle is in the way of something at this takeover. False if it is not, or
@@ -104,6 +110,12 @@ struct Cycle {
   /// Chooses another aim.
   void choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
   Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
+  /// No route leads around what is closed: asks for one through it. False if nothing is closed.
+  bool ask_through(const FlightFacts& flight) noexcept;
+  /// Counts a plan that failed because of things that move or fences for a while.
+  void note_met(const Report& found) noexcept;
+  /// The fence that keeps a vehicle from resting where the draft ends; kNoFence: none.
+  std::int32_t fence_at_end(const FlightFacts& flight, const Draft& draft, Work& work) const noexcept;
   /// kFailed if the vehicle rests, and things leave it no place to go to.
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   /// How far ahead the next plan leads, m. Each plan in a row that failed because of things that move leads half as far
@@ -152,6 +164,8 @@ struct Cycle {
 
  private:
   void ask(const FlightFacts& flight) noexcept;
+  void note_closing(const FlightFacts& flight, Work& work) noexcept;
+  void close_fences(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   NextPlan ask_for_less(const FlightFacts& flight, const Report& found) noexcept;
   bool may_move_to_reachable(const Report& found) const noexcept;
   bool moves_to_reachable(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;

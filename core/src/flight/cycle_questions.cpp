@@ -67,7 +67,9 @@ double Cycle::horizon(const FlightFacts& flight) const noexcept {
 }
 
 Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
-  planner->begin_route(route.grid(), request_to(aim, flight));
+  Request request = request_to(aim, flight);
+  if (has_closed) request.fences = routed;
+  planner->begin_route(route.grid(), request);
   work.spend(kPlanOperations);
   job = Job::kRoute;
   return Progress::kDone;
@@ -85,11 +87,12 @@ Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work&
   request.begin = takeover;
   request.tracks = expected.tracks;
   request.track_count = expected.count;
-  request.rest_clear = expected.count > 0 ? kRestClear : 0.0;
+  const bool has_times = expected.count > 0 || flight.has_windows;
+  request.rest_clear = has_times ? kRestClear : 0.0;
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
   request.budget.tracks = flight.spec.plan_work / kTracksPart;
   request.budget.trajectory =
-      expected.count > 0 ? flight.spec.plan_work - request.budget.tracks : flight.spec.plan_work / kOptimiserPart;
+      has_times ? flight.spec.plan_work - request.budget.tracks : flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(takeover);
@@ -101,6 +104,13 @@ Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work&
   work.spend(kPlanOperations);
   job = Job::kPlan;
   return Progress::kDone;
+}
+
+/// A fence ends when it ends: to step aside helps nothing.
+void Cycle::note_met(const Report& found) noexcept {
+  if (!is_by_track(found.status) && !steps_aside) return;
+  ++met_things;
+  if (found.fence != kNoFence && met_things % kShorterPlans == kShorterPlans - 1) ++met_things;
 }
 
 Status Cycle::finish(Report& found) noexcept {

@@ -76,6 +76,8 @@ Command Flight::command(int64_t t) const noexcept {
 Status Flight::set_clock(int64_t t) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   state_->facts.set_clock(t);
+  if (state_->facts.has_windows) state_->watch.prove_all();
+  state_->rest.note_news();
   return state_->facts.map.forget_time();
 }
 

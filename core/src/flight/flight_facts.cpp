@@ -37,6 +37,8 @@ void FlightFacts::begin(const FlightSpec& how, const RollingMap& over, const Vec
   limits = MotionLimits(how.limits);
   map = over;
   clock.set(t, 0);
+  asked_fences = how.fences;
+  read_fences();
   shown = t;
   frames = map.frames();
   plans.hover_at(position);
@@ -51,7 +53,22 @@ void FlightFacts::begin_tick(std::int64_t t) noexcept {
 
 void FlightFacts::set_clock(std::int64_t t) noexcept {
   clock.set(t, time + spec.tick);
+  read_fences();
   shown = clock.shown_at(time);
+}
+
+/// A window that is too far away for the flight's times is still one.
+void FlightFacts::read_fences() noexcept {
+  has_windows = false;
+  for (std::int32_t k = 0; k < spec.fence_count; ++k) {
+    fences[k] = asked_fences[k];
+    if (!is_timed(fences[k])) continue;
+    has_windows = true;
+    fences[k].from = clock.time_of(asked_fences[k].from);
+    fences[k].until = clock.time_of(asked_fences[k].until);
+    if (fences[k].from == fences[k].until) --fences[k].from;
+  }
+  spec.fences = fences;
 }
 
 bool FlightFacts::note_frame() noexcept {

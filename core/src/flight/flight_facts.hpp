@@ -32,8 +32,11 @@ constexpr double kAnywhere = 1e9;
 constexpr double kSamePlace = 1e-6;
 
 struct FlightFacts {
-  FlightSpec spec;
-  MotionLimits limits;  ///< those of the spec
+  FlightSpec spec;            ///< its fences are those below
+  const Fence* asked_fences;  ///< the caller's
+  Fence fences[kMaxFences];   ///< the same, with the flight's times
+  bool has_windows;           ///< some of them are for a while
+  MotionLimits limits;        ///< those of the spec
   RollingMap map;
   FlightClock clock;
   std::int64_t shown;  ///< what the clock showed at the last tick
@@ -86,6 +89,10 @@ struct FlightFacts {
   bool is_stale() const noexcept { return spec.stale_after > 0 && time - frame_time > spec.stale_after; }
   /// A plan may end at this place: it keeps the radius and kAimVoxels from the window's faces.
   bool in_window(const Vec3& place) const noexcept;
+
+ private:
+  /// Takes the caller's fences, by what the clock shows.
+  void read_fences() noexcept;
 };
 
 }  // namespace tern

@@ -40,6 +40,7 @@ class FlightState {
   Blockage block;  ///< what ended the last proof or plan to the goal
   Nose nose;
   TrackPieces pieces;  ///< of the curves in all tables of things that move
+  bool is_leaving;     ///< a fence is about to begin where the vehicle rests
   FlightReport report;
 
   // tick.cpp: one tick
@@ -49,6 +50,7 @@ class FlightState {
   void end_watched_part() noexcept;
   Status update_track(const Track& measured) noexcept;
   bool keep_pieces(Track& track) noexcept;
+  bool leaves_place() noexcept;
   void advance() noexcept;
   void begin_evasion() noexcept;
   void prove_anew() noexcept;

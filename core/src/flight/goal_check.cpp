@@ -10,11 +10,12 @@
 namespace tern {
 namespace {
 
-/// The first fence that a vehicle at this place would break; kNoFence if there is none.
+/// The first fence that always holds and that a vehicle at this place would break; kNoFence if there is none.
 std::int32_t fence_broken(const FlightFacts& flight, const Vec3& place) {
   const double clearance = flight.map.safe().spec().clearance();
   Work work;
   for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
+    if (is_timed(flight.spec.fences[k])) continue;
     if (!fence_clear(flight.spec.fences[k], {place, clearance, 0.0}, &kZero, 1, work)) return k;
   }
   return kNoFence;

@@ -24,12 +24,14 @@ void RestClear::prove(const FlightFacts& flight, Work& work) noexcept {
   grounds.count = flight.tracks.count;
   grounds.radius = flight.map.safe().spec().clearance();
   grounds.rest = kRestHorizon + (from - length);
+  grounds.fences = flight.spec.fences;
+  grounds.fence_count = flight.spec.fence_count;
   is_running = proof.begin(*of, from, grounds) == Status::kRunning;
   until = begin + nanoseconds(from);
 }
 
 void RestClear::advance(const FlightFacts& flight, Work& work) noexcept {
-  if (flight.tracks.count == 0) {
+  if (flight.tracks.count == 0 && !flight.has_windows) {
     is_running = false;
     until = INT64_MAX;
     return;

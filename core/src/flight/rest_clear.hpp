@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Until when the place where the committed plan ends is clear of all that things that move may do. Each measurement and
+// Until when the place where the committed plan ends is clear of all that things that move may do, and of fences for
+// a while. Each measurement and
 // each commit makes the answer old: it is proven anew at the next tick, from a part of the tick's work.
 #ifndef TERN_FLIGHT_REST_CLEAR_HPP
 #define TERN_FLIGHT_REST_CLEAR_HPP

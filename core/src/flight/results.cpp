@@ -22,10 +22,10 @@ void FlightState::begin_cycle() noexcept {
   const Commitment& in_flight = facts.plans.in_flight;
   const bool stays = facts.itinerary.is_reached_by(in_flight) || facts.itinerary.dwells_after(in_flight);
   const bool looks_for_ground = facts.landing.is_asked && lookouts.is_active();
-  if (stays && !looks_for_ground && facts.rests_at(draft.takeover)) return;
+  if (stays && !looks_for_ground && !is_leaving && facts.rests_at(draft.takeover)) return;
   if (facts.is_too_fast_at(draft.takeover)) return evasion.ask_to_slow();
   ++report.asked;
-  cycle.begin(facts, search, lookouts, draft.takeover);
+  cycle.begin(facts, search, lookouts, draft.takeover, tick_work);
 }
 
 /// A search for a lookout takes some ticks, in which the map stands still and no other plan is made.
@@ -102,9 +102,10 @@ Progress FlightState::end_planner() noexcept {
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(facts.itinerary)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
-  if (is_by_track(found.status) || cycle.steps_aside) ++cycle.met_things;
+  cycle.note_met(found);
   if (cycle.steps_aside) return choose_draft(false);
   if (note_fault(found)) return give_up();
+  if (cycle.ask_through(facts)) return;
   const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, found, draft.takeover)
                                                  : cycle.next_after_plan(facts, found, draft.takeover);
   if (next == NextPlan::kAsked) return;
@@ -144,7 +145,9 @@ Progress FlightState::run_proof() noexcept {
     return Progress::kDone;
   }
   draft.follow_to_end(found.until);
-  if (leads_on(facts, cycle.aim.start.d[0], draft)) {
+  const std::int32_t closing = cycle.fence_at_end(facts, draft, tick_work);
+  if (closing != kNoFence) block = {BlockedBy::kFence, draft.plan.end(), closing};
+  if (closing == kNoFence && leads_on(facts, cycle.aim.start.d[0], draft)) {
     commit();
   } else {
     fail();
@@ -154,7 +157,8 @@ Progress FlightState::run_proof() noexcept {
 
 Progress FlightState::run_confirm() noexcept {
   if (draft.proof.step(tick_work) == Status::kRunning) return Progress::kMore;
-  if (draft.proof.report().finding == Finding::kNone) {
+  const bool is_proven = draft.proof.report().finding == Finding::kNone;
+  if (is_proven && cycle.fence_at_end(facts, draft, tick_work) == kNoFence) {
     commit();
   } else {
     cycle.reject_branch();
@@ -219,9 +223,9 @@ void FlightState::fail() noexcept {
 void FlightState::give_up() noexcept {
   cycle.leave();
   evasion.leave();
-  // What moves will be elsewhere soon: there is no reason to look around, or to give up.
-  const bool is_by_thing = block.by == BlockedBy::kTrack || cycle.steps_aside;
-  if (is_by_thing && facts.rests()) facts.itinerary.note_held_up(true);
+  // What moves will be elsewhere soon, and a fence for a while ends: there is no reason to look around, or to give up.
+  const bool is_by_thing = block.passes(facts) || cycle.steps_aside;
+  if (is_by_thing && block.by != BlockedBy::kFence && facts.rests()) facts.itinerary.note_held_up(true);
   if (!facts.rests() || facts.itinerary.parked || is_by_thing) return;
   lookouts.note_failure(facts);
   if (!search.count_idle()) return;

@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "flight/branch.hpp"
+#include "flight/closing.hpp"
 #include "flight/foresight.hpp"
 
 namespace tern {
@@ -90,6 +91,7 @@ int Sidesteps::score_of(const FlightFacts& flight, const TrackTable& expected, D
   const Trajectory& plan = draft.plan.trajectory;
   const double clearance = flight.map.safe().spec().clearance();
   if (meets_thing(plan, 0.0, draft.plan.tubes, clearance, work)) return 0;
+  if (closing_fence(flight, draft.plan.end(), draft.plan.rests(), 0.0, work) != kNoFence) return 0;
   const int steps = rest_steps(plan, duration(plan), expected, clearance, work);
   const double side = kForSide * (1.0 + towards_target(flight, side_of(candidate)));
   return kPerStep * steps + static_cast<int>(side);

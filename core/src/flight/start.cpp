@@ -150,12 +150,6 @@ Status prove_start(FlightFacts& flight, Draft& draft, FlightRefusal& refusal) {
   return Status::kStartOccupied;
 }
 
-Status refuse_fence(Status status, std::int32_t fence, FlightRefusal& refusal) {
-  refusal.field = Field::kFences;
-  refusal.fence = fence;
-  return status;
-}
-
 /// Checks the call's arguments before anything is written.
 Status accept(const FlightSpec& spec, const RollingMap& map, const std::uint64_t* words, std::size_t word_count,
               const Vec3& position, FlightRefusal& refusal) {
@@ -166,11 +160,10 @@ Status accept(const FlightSpec& spec, const RollingMap& map, const std::uint64_t
   refusal.field = verdict.field;
   if (verdict.status != Status::kOk) return verdict.status;
   const FenceFault fault = find_fence_fault(spec.fences, spec.fence_count, map.safe().spec());
-  if (fault.status != Status::kOk) return refuse_fence(fault.status, fault.fence, refusal);
-  for (std::int32_t k = 0; k < spec.fence_count; ++k) {
-    if (is_timed(spec.fences[k])) return refuse_fence(Status::kInvalidArgument, k, refusal);
-  }
-  return Status::kOk;
+  if (fault.status == Status::kOk) return Status::kOk;
+  refusal.field = Field::kFences;
+  refusal.fence = fault.fence;
+  return fault.status;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 //
 // One tick: which part works when, and what a threat and an evasion mean to the others.
 #include "base/capacity.hpp"
+#include "flight/closing.hpp"
 #include "flight/flight_state.hpp"
 
 namespace tern {
@@ -101,9 +102,20 @@ Status FlightState::update_track(const Track& measured) noexcept {
   return Status::kOk;
 }
 
+/// A vehicle that has a goal and rests where a fence is about to begin goes on, even if it had arrived or given up. It
+/// stays on the ground.
+bool FlightState::leaves_place() noexcept {
+  const Commitment& latest = facts.plans.latest();
+  if (!facts.has_windows || !facts.itinerary.has_goal || !facts.rests() || latest.lifts) return false;
+  if (closing_fence(facts, latest.end(), facts.time, kLeaveSpare, tick_work) == kNoFence) return false;
+  if (facts.itinerary.parked) try_anew();
+  return true;
+}
+
 void FlightState::advance() noexcept {
+  is_leaving = leaves_place();
   const bool is_last = facts.landing.is_asked ? facts.lands() : facts.itinerary.is_reached_by(facts.plans.in_flight);
-  if (facts.itinerary.goes_on() && facts.rests() && is_last) {
+  if (facts.itinerary.goes_on() && facts.rests() && is_last && !is_leaving) {
     facts.itinerary.pass(facts.itinerary.last());
     park(facts.landing.is_asked ? FlightReason::kLanded : FlightReason::kArrived);
   }

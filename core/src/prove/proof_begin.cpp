@@ -78,8 +78,11 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   fence_count_ = grounds.fence_count;
   pardoned_ = nullptr;
   if (grounds.alarm != nullptr) pardon(*grounds.alarm);
-  watched_ = {grounds.tracks, grounds.track_count, grid.spec().clearance(), 0.0,
-              has_departed_,  grounds.fences,      grounds.fence_count};
+  watched_ = {grounds.tracks, grounds.track_count, grid.spec().clearance(), 0.0, has_departed_};
+  if (!has_added_) {
+    watched_.fences = grounds.fences;
+    watched_.fence_count = grounds.fence_count;
+  }
   track_grant_ = kTrackTolerance;
   enter(trajectory);
   return Status::kRunning;

@@ -187,6 +187,7 @@ class EndsOfFlight {
 
   void check_fences(const End& end) const {
     for (const FenceRecord& fence : world_.fences) {
+      if (tern::is_timed(fence.fence)) continue;  // it ends
       const bool keeps_out = fence.fence.kind == tern::FenceKind::kKeepOut;
       const double gap = fence_gap(fence, end.position);
       const double needed = keeps_out ? radius_of(world_.settings) : 0.0;

@@ -127,13 +127,6 @@ tern::Cylinder read_column(const Words& words, const Place& place) {
           within("column", values[2], {0.01, 100.0}, place)};
 }
 
-/// Flights take no fences for a while.
-void refuse_window(const Words& words, const Place& place) {
-  if (std::find(words.begin(), words.end(), "during") == words.end()) return;
-  throw RecordError(place, "flights take no fences for a while: leave out 'during', and the fence always holds. " +
-                               std::string("'tern plan' plans with its times"));
-}
-
 /// What to do about a record that only a plan's scenario may have.
 std::string hint_for(const std::string& key) {
   if (key == "radius") return ": body_radius is the vehicle's, and the margins come on top";
@@ -156,8 +149,9 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (key == "thing") {
     world.things.push_back(read_thing(words, place));
   } else if (is_fence(key)) {
-    refuse_window(words, place);
-    add_fence(words, place, world.fences);
+    Words fence = words;
+    const FenceTimes times = take_window(place, fence);
+    add_fence(fence, place, world.fences, times);
     if (exceeds_capacity(world.fences)) {
       throw RecordError(place, "more fences or half-spaces than a flight takes (TERN_MAX_FENCES " +
                                    std::to_string(tern::kMaxFences) + ", TERN_MAX_FENCE_PLANES " +

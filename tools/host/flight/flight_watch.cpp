@@ -230,12 +230,13 @@ void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_
     constexpr double kFar = std::numeric_limits<double>::infinity();
     const double real = knows_world_ ? rooms_.from_world(p) : kFar;
     const double solid = t < fresh ? kFar : rooms_.from_solid(p);
-    const double fenced = rooms_.from_fences(p);
+    std::int64_t change = std::numeric_limits<std::int64_t>::max();
+    const double fenced = rooms_.from_fences(p, t, change);
     if (real < -kDistanceError) fail(6, too_near(p, real) + ", " + after(t, from), from);
     if (solid < -kDistanceError) fail(2, fixed(-solid, 4) + " m too near to unproven space, " + after(t, from), from);
     if (fenced < -kDistanceError) fail(2, fixed(-fenced, 4) + " m into a fence, " + after(t, from), from);
     const double room = std::min({solid, real, fenced, kLeastWay + spec_.horizon});
-    const std::int64_t next = t + time_for(std::max(kLeastWay, room), sample);
+    const std::int64_t next = std::min(change, t + time_for(std::max(kLeastWay, room), sample));
     t = t < fresh && fresh <= to ? std::min(next, fresh) : next;
   }
 }

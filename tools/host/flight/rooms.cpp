@@ -81,12 +81,26 @@ double Rooms::from_faces(const Vec3& p) const {
   return VoxelGaps(p, window()).to_faces(window()) - radius_;
 }
 
-double Rooms::from_fences(const Vec3& p) const {
-  double room = std::numeric_limits<double>::infinity();
-  for (const FenceRecord& fence : world_.fences) {
-    room = std::min(room, fence_gap(fence, p) - (fence.fence.kind == tern::FenceKind::kKeepOut ? radius_ : 0.0));
+double Rooms::from_fences(const Vec3& p, std::int64_t t, std::int64_t& change) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  double room = kFar;
+  double in_chain = -kFar;
+  bool has_chain = false;
+  for (const FenceRecord& record : world_.fences) {
+    const tern::Fence& fence = record.fence;
+    const bool keeps_out = fence.kind == tern::FenceKind::kKeepOut;
+    const bool is_timed = tern::is_timed(fence);
+    const bool is_link = is_timed && !keeps_out;
+    const auto error = static_cast<std::int64_t>(1e9 * fence.clock_error);
+    const std::int64_t from = fence.from - (keeps_out ? error : -error);
+    const std::int64_t until = fence.until + (keeps_out ? error : -error);
+    for (const std::int64_t at : {from, until}) change = is_timed && at > t ? std::min(change, at) : change;
+    has_chain = has_chain || is_link;
+    if (is_timed && (t < from || t > until)) continue;
+    const double gap = fence_gap(record, p) - (keeps_out ? radius_ : 0.0);
+    is_link ? in_chain = std::max(in_chain, gap) : room = std::min(room, gap);
   }
-  return room;
+  return has_chain ? std::min(room, in_chain) : room;
 }
 
 double Rooms::from_world(const Vec3& p) const {

@@ -32,7 +32,9 @@ class Rooms {
   /// From the window's faces alone.
   double from_faces(const tern::Vec3& p) const;
   /// From where the fences let the centre be; keep-outs are left alone by the radius.
-  double from_fences(const tern::Vec3& p) const;
+  /// Of fences that hold at this time. `change` becomes the next time at which a keep-out begins or a keep-in ends, if
+  /// that is sooner.
+  double from_fences(const tern::Vec3& p, std::int64_t t, std::int64_t& change) const;
   /// From the true world, for a body that is off the command by the tracking error.
   double from_world(const tern::Vec3& p) const;
 

@@ -1,0 +1,40 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Keep-outs for a while, and places where the vehicle rests: a plan that ends in one that is about to begin leads into
+// a trap, and a vehicle that rests in one leaves while it can.
+#ifndef TERN_FLIGHT_CLOSING_HPP
+#define TERN_FLIGHT_CLOSING_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "flight/flight_facts.hpp"
+#include "tern/fence.hpp"
+
+namespace tern {
+
+/// Seconds that are to be left, besides those that it takes to leave. The vehicle leaves when kLeaveSpare are left; no
+/// plan to the goal ends where less than kStaySpare are left, or the two would take turns; a way out may end where
+/// nothing is left but the time to go on.
+constexpr double kStaySpare = 6.0;
+constexpr double kLeaveSpare = 4.0;
+
+/// The first keep-out for a while that holds, or begins, before a vehicle could leave the place that rests there from
+/// `rests` on, with `spare` seconds to spare; kNoFence: none.
+std::int32_t closing_fence(const FlightFacts& flight, const Vec3& place, std::int64_t rests, double spare,
+                           Work& work) noexcept;
+
+/// A place outside of the keep-out, straight from a place in it through its nearest face (number 0), or the one that is
+/// next nearest (number 1), and so on; after the last one, the nearest again.
+Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number) noexcept;
+
+/// True if the fence is a keep-out for a while that holds at this time, or begins within `ahead` seconds.
+bool is_closed(const Fence& fence, std::int64_t time, double ahead) noexcept;
+
+/// False if a vehicle at the place is in the keep-out, or nearer to it than the radius.
+bool is_clear_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, Work& work) noexcept;
+
+}  // namespace tern
+
+#endif
