@@ -189,8 +189,11 @@ void note_box(const Words& words, const Place& place, const FlightWorld& world, 
   const std::string& key = words[0];
   if (key == "block") boxes.push_back({"block", world.blocks.back(), place.line});
   if (key == "cylinder") boxes.push_back({"cylinder", box_around(world.cylinders.back()), place.line});
-  if (key == "keepin") boxes.push_back({"keepin", box_of(numbers(words, place), key, place), place.line});
-  if (key == "keepout") boxes.push_back({"keepout", box_of(numbers(words, place), key, place), place.line});
+  if (key == "keepin" || key == "keepout") {
+    Words box = words;
+    take_window(place, box);
+    boxes.push_back({key == "keepin" ? "keepin" : "keepout", box_of(numbers(box, place), key, place), place.line});
+  }
   if (key != "appear") return;
   const Appearance& appears = world.appearing.back();
   boxes.push_back({"appear", appears.is_block ? appears.block : box_around(appears.cylinder), place.line});
