@@ -3,6 +3,7 @@
 //
 // The curves of a hand-made flight, and what its vehicle did, spoiled by as little as a proof can tell.
 #include <array>
+#include <cmath>
 
 #include "straight_flight.hpp"
 
@@ -116,6 +117,26 @@ TEST(FlightProof, AFlightThatCommittedNothingProvesNothing) {
   json["commits"] = Json::array();
   json["plans"]["committed"] = 0;
   EXPECT_EQ(verdict_of(claims_of(json)), Verdict::kOpen);
+}
+
+/// The vehicle is near the gate from 3 to 5.5 s or so, and beyond it at 8 s.
+TEST(FlightProof, FencesForAWhileCountWhileTheyHold) {
+  struct Case {
+    double from;
+    double until;
+    double clock_error;
+    Verdict verdict;
+  };
+  for (const Case& c : {Case{-5.0, 2.0, 0.0, Verdict::kProven}, Case{4.0, 5.0, 0.0, Verdict::kRefuted},
+                        Case{8.0, 9.0, 0.0, Verdict::kProven}, Case{8.0, 9.0, 4.0, Verdict::kRefuted}}) {
+    Json json = log();
+    Json gate = fence("keep_out", {4.0, 0.0, 0.0}, {5.0, 6.0, 3.0});
+    gate["from_ns"] = std::llround(1e9 * c.from);
+    gate["until_ns"] = std::llround(1e9 * c.until);
+    gate["clock_error_s"] = c.clock_error;
+    json["true_world"]["fences"] = {gate};
+    EXPECT_EQ(verdict_of(claims_of(json), "fence 1 for a while"), c.verdict) << c.from << " " << c.clock_error;
+  }
 }
 
 TEST(FlightProof, ACommitThatDoesNotEndAtRest) {
