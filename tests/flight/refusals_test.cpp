@@ -176,19 +176,6 @@ TEST(FlightRefusals, NameTheFenceThatTheStartBreaks) {
   EXPECT_EQ(starting.begin(), kStarts);
 }
 
-/// Nothing in a flight would look at its times.
-TEST(FlightRefusals, FencesForAWhile) {
-  Starting starting;
-  Halfspace all[kBoxPlanes];
-  box_planes({{-16.0, -16.0, -2.0}, {16.0, 16.0, 4.0}}, all);
-  Fence fences[] = {{all, 6, FenceKind::kKeepIn}, {all, 6, FenceKind::kKeepIn}};
-  starting.how.fences = fences;
-  starting.how.fence_count = 2;
-  EXPECT_EQ(starting.begin(), kStarts);
-  fences[1].until = 1;
-  EXPECT_EQ(starting.begin(), (Answer{Status::kInvalidArgument, Field::kFences, 1}));
-}
-
 /// More fences and half-spaces than fit, all well formed: keep-ins around the origin.
 struct Malformed {
   Malformed() {
