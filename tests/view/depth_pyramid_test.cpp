@@ -8,6 +8,8 @@
 
 #include <vector>
 
+#include "support/random.hpp"
+
 namespace {
 
 using tern::Depth;
@@ -65,6 +67,26 @@ TEST(DepthPyramid, AsksForAsManyEntriesAsAreClose) {
   EXPECT_EQ(row.pyramid.least_closely({0, 5, 0, 0}), 1000);
   EXPECT_EQ(row.pyramid.least_closely({1, 6, 0, 0}), 7);
   EXPECT_EQ(row.pyramid.least_closely({0, 6, 0, 0}), 0);  // no answer
+}
+
+/// Eight entries at a time, or one by one: the same answer for every rectangle of images wide and narrow.
+TEST(DepthPyramid, ReachesWhatItsLeastDepthDoes) {
+  tern_test::Random random(3);
+  for (int k = 0; k < tern_test::scaled(400); ++k) {
+    OwnedPyramid image(random.integer(1, 70), random.integer(1, 40));
+    const DepthPyramid& pyramid = image.pyramid;
+    for (Depth& depth : image.entries) depth = static_cast<Depth>(random.integer(0, tern::kDepthUnits));
+    image.make();
+    for (int n = 0; n < 50; ++n) {
+      PixelBox box{random.integer(0, pyramid.width(0) - 1), 0, random.integer(0, pyramid.height(0) - 1), 0};
+      box.u1 = random.integer(box.u0, pyramid.width(0) - 1);
+      box.v1 = random.integer(box.v0, pyramid.height(0) - 1);
+      const std::int32_t least = pyramid.least_closely(box);
+      for (const std::int32_t far : {least, least + 1, random.integer(1, tern::kDepthUnits + 2)}) {
+        ASSERT_EQ(far > 0 && pyramid.reaches(box, far), far > 0 && least >= far) << far;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class HitWriter {
     const FourInts y = on_axis(cells[1], box_.y, valid);
     const FourInts z = on_axis(cells[2], box_.z, valid);
     const FourInts rows = whole((decimal(z) * rows_ + decimal(y)) * row_words_);
-    const FourInts words = valid ? rows + (x >> 6) : FourInts{-1, -1, -1, -1};
+    const FourInts words = choose(valid, rows + (x >> 6), FourInts{-1, -1, -1, -1});
     for (int k = 0; k < 4; ++k) mark(words[k], x[k]);
   }
 

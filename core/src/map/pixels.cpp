@@ -125,7 +125,7 @@ struct RowOfRays {
   /// Marks the voxels that a chunk's pixels hit. The chunk begins at pixel u.
   void mark(std::int32_t u, const Chunk& depths, HitWriter& writer) const {
     Four at = static_cast<float>(u) + Four{0.0f, 1.0f, 2.0f, 3.0f};
-    for (const Four z : depths.fours) {
+    for (const Four& z : depths.fours) {
       const FourInts hits = (z > 0.0f) & (z <= range);
       const Four cells[3] = {origin.x + z * (ray.x + at * step.x), origin.y + z * (ray.y + at * step.y),
                              origin.z + z * (ray.z + at * step.z)};

@@ -114,7 +114,7 @@ void set_free(FourRays& rays, const MapSpec& spec, double units) {
   const Four far = square_root(square);
   const Four margin = static_cast<float>(spec.depth_margin) + static_cast<float>(spec.depth_margin_square) * square;
   const Four least = static_cast<float>(1.0 - kRelief * spec.scan_pixel) * far - rays.returned * margin;
-  const Four free = (least < rays.most ? least : rays.most) * static_cast<float>(units) - 1.0f;
+  const Four free = smaller(least, rays.most) * static_cast<float>(units) - 1.0f;
   rays.depth = whole(clamp(free, 0.0f, static_cast<float>(kDepthUnits)));
   rays.hits = (rays.returned > 0.0f) & (far > 0.0f) & (far <= static_cast<float>(spec.range));
 }
@@ -134,13 +134,13 @@ FourPixels pixels_across(const FourRays& rays, int a, const View& face) {
   // t / (1 + bend * |t|), where t = across / ahead, is across / (ahead + bend * |across|).
   const float bend = static_cast<float>(kFaceBend);
   const float scale = static_cast<float>(face.fx);
-  const Four some = ahead > 0.0f ? ahead : all(1.0f);
+  const Four some = choose(ahead > 0.0f, ahead, all(1.0f));
   const float middle = static_cast<float>(face.cx + 0.5);
   const float last = static_cast<float>(face.width) - 0.5f;
   const Four u = across / (some + bend * absolute(across)) * scale + middle;
   const Four v = down / (some + bend * absolute(down)) * scale + middle;
   return {whole(clamp(u, 0.0f, last)), whole(clamp(v, 0.0f, last)),
-          within ? rays.depth : FourInts{kNoPoint, kNoPoint, kNoPoint, kNoPoint}};
+          choose(within, rays.depth, FourInts{kNoPoint, kNoPoint, kNoPoint, kNoPoint})};
 }
 
 /// Lowers the depths of the pixels that four rays fall into, on each face that they meet.

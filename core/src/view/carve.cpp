@@ -55,12 +55,12 @@ bool clear(const View& view, const Footprints& feet, int k, Work& work) {
   const PixelBox box = feet.pixels.at(k);
   // Usually, one pixel in the middle decides.
   if (pyramid.row((box.v0 + box.v1) >> 1)[(box.u0 + box.u1) >> 1] < feet.far[k / 4][k % 4]) return false;
+  if (view.reach > 0.0) return pyramid.reaches(box, feet.far[k / 4][k % 4]);
   const std::int32_t level = pyramid.level_for(box);
   if (level < pyramid.levels() && pyramid.least(box, level) >= feet.far[k / 4][k % 4]) return true;
-  const bool around = view.reach > 0.0;
-  if (kSize > 1 && !around) return false;
-  if (!around) work.spend(kCloseOperations);
-  return pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
+  if (kSize > 1) return false;
+  work.spend(kCloseOperations);
+  return pyramid.reaches(box, feet.far[k / 4][k % 4]);
 }
 
 /// Carves cubes of a brick.

@@ -13,6 +13,28 @@ struct Greater {
   Depth operator()(Depth a, Depth b) const { return a < b ? b : a; }
 };
 
+#if defined(__SSE2__) || defined(__aarch64__)
+/// Eight depths at a time, which fit a register.
+using EightDepths __attribute__((vector_size(16))) = Depth;
+constexpr std::int32_t kEight = 8;
+constexpr EightDepths kPlaces = {0, 1, 2, 3, 4, 5, 6, 7};
+
+EightDepths eight(std::int32_t number) {
+  const Depth n = static_cast<Depth>(number);
+  return EightDepths{n, n, n, n, n, n, n, n};
+}
+EightDepths load(const Depth* from) {
+  EightDepths depths;
+  __builtin_memcpy(&depths, from, sizeof depths);
+  return depths;
+}
+bool none(EightDepths mask) {
+  std::uint64_t halves[2];
+  __builtin_memcpy(halves, &mask, sizeof halves);
+  return (halves[0] | halves[1]) == 0;
+}
+#endif
+
 /// Number of levels until the shorter side has one entry left.
 std::int32_t count_levels(std::int32_t width, std::int32_t height) {
   const std::int32_t side = width < height ? width : height;
@@ -52,11 +74,20 @@ std::int64_t DepthPyramid::entries(std::int32_t width, std::int32_t height) noex
   return sum;
 }
 
+std::int32_t DepthPyramid::close_level(const PixelBox& box) noexcept {
+  const std::int32_t across = box.u1 - box.u0;
+  const std::int32_t down = box.v1 - box.v0;
+  const std::int32_t span = across > down ? across : down;
+  std::int32_t level = span < 4 ? 0 : 29 - __builtin_clz(static_cast<unsigned>(span));
+  level += (span >> level) >= kCloseEntries ? 1 : 0;
+  // Where the rectangle lies, it may touch one entry more.
+  const auto spans = [&](std::int32_t from, std::int32_t to) { return (to >> level) - (from >> level); };
+  return spans(box.u0, box.u1) >= kCloseEntries || spans(box.v0, box.v1) >= kCloseEntries ? level + 1 : level;
+}
+
 Depth DepthPyramid::least_closely(const PixelBox& box) const noexcept {
-  std::int32_t level = 0;
-  const auto last = [&](std::int32_t from, std::int32_t to) { return (to >> level) - (from >> level); };
-  while (level < levels_ && (last(box.u0, box.u1) >= kCloseEntries || last(box.v0, box.v1) >= kCloseEntries)) ++level;
-  if (level == levels_) return 0;
+  const std::int32_t level = close_level(box);
+  if (level >= levels_) return 0;
   const std::ptrdiff_t stride = width(level);
   Depth result = kDepthUnits;
   for (std::int32_t v = box.v0 >> level; v <= box.v1 >> level; ++v) {
@@ -64,6 +95,26 @@ Depth DepthPyramid::least_closely(const PixelBox& box) const noexcept {
     for (std::int32_t u = box.u0 >> level; u <= box.u1 >> level; ++u) result = row[u] < result ? row[u] : result;
   }
   return result;
+}
+
+bool DepthPyramid::reaches(const PixelBox& box, std::int32_t far) const noexcept {
+#if defined(__SSE2__) || defined(__aarch64__)
+  const std::int32_t level = close_level(box);
+  if (level >= levels_ || far > kDepthUnits) return false;
+  const std::int32_t stride = width(level);
+  if (stride >= kEight) {
+    const std::int32_t u0 = box.u0 >> level;
+    const std::int32_t begin = u0 + kEight <= stride ? u0 : stride - kEight;
+    const std::int32_t first = u0 - begin;
+    const std::int32_t last = (box.u1 >> level) - begin;
+    const Depth* row = least_[level] + static_cast<std::ptrdiff_t>(box.v0 >> level) * stride + begin;
+    const EightDepths bound = eight(far);
+    EightDepths nearer = {};
+    for (std::int32_t v = box.v0 >> level; v <= box.v1 >> level; ++v, row += stride) nearer |= load(row) < bound;
+    return none(nearer & (kPlaces >= eight(first)) & (kPlaces <= eight(last)));
+  }
+#endif
+  return least_closely(box) >= far;
 }
 
 void DepthPyramid::make_row(std::int32_t level, std::int32_t row) const noexcept {

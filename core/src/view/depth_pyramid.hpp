@@ -61,6 +61,8 @@ class DepthPyramid {
   /// A closer lower bound than least(), from up to kCloseEntries entries along each axis: a finer level rounds the
   /// rectangle's edges outwards by less. 0 if there is no answer.
   Depth least_closely(const PixelBox& box) const noexcept;
+  /// True if least_closely() is at least `far`, which is positive. Reads eight entries at a time where the target can.
+  bool reaches(const PixelBox& box, std::int32_t far) const noexcept;
   Depth most(const PixelBox& box, std::int32_t level) const noexcept {
     return reduce(most_[level], box, level, [](Depth a, Depth b) { return a < b ? b : a; });
   }
@@ -80,6 +82,10 @@ class DepthPyramid {
     for (const Depth* row : rows) result = pick(result, pick(pick(row[u0], row[u1]), row[u2]));
     return result;
   }
+
+  /// The finest level at which a rectangle spans at most kCloseEntries entries along each axis; may be levels() or
+  /// more.
+  static std::int32_t close_level(const PixelBox& box) noexcept;
 
   std::int32_t width_ = 0;
   std::int32_t height_ = 0;

@@ -27,16 +27,9 @@ Point to_point(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-Four larger(Four a, Four b) {
-  return a > b ? a : b;
-}
-Four smaller(Four a, Four b) {
-  return a < b ? a : b;
-}
-
 /// The inverse of a depth, and of kNearest for depths below it.
 Four inverse(Four depth) {
-  return 1.0f / (depth > kNearest ? depth : all(kNearest));
+  return 1.0f / larger(depth, all(kNearest));
 }
 
 Four distance(Four x, Four y, Four z) {
@@ -110,24 +103,29 @@ Projector::Image Projector::image_of(const Axis& axis, Four from, Four to) noexc
           (from >= 0.0f) & (to < axis.count)};
 }
 
-Projector::Image Projector::project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept {
-  const Four lower = center - half;
-  const Four upper = center + half;
-  const Four from = axis.focal * (lower * (lower < 0.0f ? by_near : by_far)) + axis.from;
-  const Four to = axis.focal * (upper * (upper < 0.0f ? by_far : by_near)) + axis.to;
-  return image_of(axis, from, to);
+/// The least and the greatest tangent of a box of depths near .. far.
+struct Projector::Tangents {
+  Four least, most;
+
+  Tangents(Four center, Four half, Four by_near, Four by_far) noexcept {
+    const Four lower = center - half;
+    const Four upper = center + half;
+    least = lower * choose(lower < 0.0f, by_near, by_far);
+    most = upper * choose(upper < 0.0f, by_far, by_near);
+  }
+  void widen(Four reach) noexcept {
+    least = least - widening(least, reach);
+    most = most + widening(most, reach);
+  }
+};
+
+Projector::Image Projector::project(const Axis& axis, const Tangents& t) noexcept {
+  return image_of(axis, axis.focal * t.least + axis.from, axis.focal * t.most + axis.to);
 }
 
-/// Like project_axis(), but for the view of a scan, whose outlines are widened.
-Projector::Image Projector::project_bent(const Axis& axis, Four center, Four half, Four by_near, Four by_far,
-                                         Four reach) noexcept {
-  const Four lower = center - half;
-  const Four upper = center + half;
-  const Four first = lower * (lower < 0.0f ? by_near : by_far);
-  const Four last = upper * (upper < 0.0f ? by_far : by_near);
-  const Four from = axis.focal * bent(first - widening(first, reach)) + axis.from;
-  const Four to = axis.focal * bent(last + widening(last, reach)) + axis.to;
-  return image_of(axis, from, to);
+/// Like project(), but for the view of a scan.
+Projector::Image Projector::project_bent(const Axis& axis, const Tangents& t) noexcept {
+  return image_of(axis, axis.focal * bent(t.least) + axis.from, axis.focal * bent(t.most) + axis.to);
 }
 
 inline void Projector::put(PixelBoxes& out, int n, const Image& u, const Image& v) noexcept {
@@ -155,8 +153,8 @@ Footprints Projector::footprints(const Centers& centers, float size) const noexc
     const FourInts ahead = near > kNearest;
     const Four by_near = inverse(near);
     const Four by_far = inverse(far);
-    const Image u = project_axis(u_, centers.x[n], size * half_.x + grown, by_near, by_far);
-    const Image v = project_axis(v_, centers.y[n], size * half_.y + grown, by_near, by_far);
+    const Image u = project(u_, {centers.x[n], size * half_.x + grown, by_near, by_far});
+    const Image v = project(v_, {centers.y[n], size * half_.y + grown, by_near, by_far});
     put(out.pixels, n, u, v);
     out.far[n] = whole(clamp(far * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
     out.inside[n] = ahead & u.within & v.within;
@@ -178,8 +176,12 @@ Footprints Projector::footprints_around(const Centers& centers, float size) cons
     const Four by_far = inverse(far);
     const Four reach = reach_ * farthest * by_near;
     const Four bounded = smaller(reach, all(kMostReach));
-    const Image u = project_bent(u_, centers.x[n], size * half_.x + grown, by_near, by_far, bounded);
-    const Image v = project_bent(v_, centers.y[n], size * half_.y + grown, by_near, by_far, bounded);
+    Tangents x(centers.x[n], size * half_.x + grown, by_near, by_far);
+    Tangents y(centers.y[n], size * half_.y + grown, by_near, by_far);
+    x.widen(bounded);
+    y.widen(bounded);
+    const Image u = project_bent(u_, x);
+    const Image v = project_bent(v_, y);
     put(out.pixels, n, u, v);
     out.far[n] = whole(clamp(farthest * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
     out.inside[n] = ahead & (reach < kMostReach) & u.within & v.within;
@@ -196,8 +198,8 @@ Cores Projector::cores(const Centers& centers, float size) const noexcept {
     const Four far = centers.z[n] + between * half_.z;
     const Four by_near = inverse(near);
     const Four by_far = inverse(far);
-    const Image u = project_axis(u_, centers.x[n], all(between * half_.x), by_near, by_far);
-    const Image v = project_axis(v_, centers.y[n], all(between * half_.y), by_near, by_far);
+    const Image u = project(u_, {centers.x[n], all(between * half_.x), by_near, by_far});
+    const Image v = project(v_, {centers.y[n], all(between * half_.y), by_near, by_far});
     const Four deepest = near + half_.z;
     const Four units = (deepest + (growth_ + growth_ahead_ * deepest)) * units_;
     put(out, n, u, v, {near, far, units});
@@ -219,8 +221,8 @@ Cores Projector::cores_around(const Centers& centers, float size) const noexcept
     const Four far = centers.z[n] + half_z;
     const Four by_near = inverse(near);
     const Four by_far = inverse(far);
-    const Image u = project_bent(u_, centers.x[n], half_x, by_near, by_far, all(0.0f));
-    const Image v = project_bent(v_, centers.y[n], half_y, by_near, by_far, all(0.0f));
+    const Image u = project_bent(u_, {centers.x[n], half_x, by_near, by_far});
+    const Image v = project_bent(v_, {centers.y[n], half_y, by_near, by_far});
     const Four corner =
         distance(least_off(centers.x[n], half_x), least_off(centers.y[n], half_y), least_off(centers.z[n], half_z)) +
         half_.z;

@@ -69,6 +69,7 @@ class Projector {
     float focal, from, to;  ///< `from`, `to`: the principal point + 1/2, minus and plus rounding
     float count, last;      ///< `last` lies in the last pixel
   };
+  struct Tangents;
   struct Image {
     FourInts first, last, beside, within;
   };
@@ -79,8 +80,8 @@ class Projector {
   static void put(PixelBoxes& out, int n, const Image& u, const Image& v) noexcept;
   static void put(Cores& out, int n, const Image& u, const Image& v, const Span& span) noexcept;
   static Image image_of(const Axis& axis, Four from, Four to) noexcept;
-  static Image project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept;
-  static Image project_bent(const Axis& axis, Four center, Four half, Four by_near, Four by_far, Four reach) noexcept;
+  static Image project(const Axis& axis, const Tangents& tangents) noexcept;
+  static Image project_bent(const Axis& axis, const Tangents& tangents) noexcept;
   Footprints footprints_around(const Centers& centers, float size) const noexcept;
   Cores cores_around(const Centers& centers, float size) const noexcept;
 
