@@ -20,8 +20,9 @@ constexpr double kReach = 1.25;
 /// lattice.
 constexpr double kRelief = 0.6125;
 
-/// Pixels along an edge of a face, times scan_pixel.
+/// Pixels along an edge of a face, times scan_pixel; and the most pixels.
 constexpr double kScanWidth = 2.5;
+constexpr std::int32_t kMaxFacePixels = 4096;
 
 /// The view of face f looks along axis f / 2, in its positive direction if f is even. The image's axes are the next two
 /// axes.
@@ -143,13 +144,25 @@ FourPixels pixels_across(const FourRays& rays, int a, const View& face) {
           choose(within, rays.depth, FourInts{kNoPoint, kNoPoint, kNoPoint, kNoPoint})};
 }
 
+/// The images of all faces, which have the same size.
+struct FaceImages {
+  Depth* rows[kFaces];
+  float width;  ///< a face has at most 2^24 pixels, whose indices single precision holds exactly
+
+  explicit FaceImages(const Frame& frame) : width(static_cast<float>(frame.views[0].width)) {
+    for (int f = 0; f < kFaces; ++f) rows[f] = frame.views[f].pyramid.row(0);
+  }
+};
+static_assert(kMaxFacePixels * kMaxFacePixels <= 1 << 24, "see FaceImages::width");
+
 /// Lowers the depths of the pixels that four rays fall into, on each face that they meet.
-void lower(const Frame& frame, const FourRays& rays) {
+void lower(const FaceImages& faces, const View& view, const FourRays& rays) {
   for (int a = 0; a < 3; ++a) {
-    const FourPixels pixels = pixels_across(rays, a, frame.views[0]);
+    const FourPixels pixels = pixels_across(rays, a, view);
+    const FourInts index = whole(decimal(pixels.v) * faces.width + decimal(pixels.u));
+    const FourInts face = (rays.axes[a] > 0.0f) + (2 * a + 1);
     for (int k = 0; k < 4; ++k) {
-      const DepthPyramid& face = frame.views[2 * a + (rays.axes[a][k] > 0.0f ? 0 : 1)].pyramid;
-      Depth& least = face.row(pixels.v[k])[pixels.u[k]];
+      Depth& least = faces.rows[face[k]][index[k]];
       const Depth depth = static_cast<Depth>(pixels.depth[k]);
       least = depth < least ? depth : least;
     }
@@ -171,7 +184,7 @@ VoxelBox ball_box(const Vec3& origin, double range, const GridSpec& window) {
 
 std::int32_t face_pixels(const MapSpec& spec) noexcept {
   if (!(spec.scan_pixel >= kMinScanPixel)) return 0;
-  return floor_index(kScanWidth / spec.scan_pixel, 3, 4096);
+  return floor_index(kScanWidth / spec.scan_pixel, 3, kMaxFacePixels);
 }
 
 void MapState::begin_faces(const Vec3& world_origin, std::int64_t t) noexcept {
@@ -229,13 +242,14 @@ void MapState::read_points(std::int64_t index, Work& work) const noexcept {
   const bool by_range = frame.points == nullptr;
   const float per_cell = static_cast<float>(1.0 / spec.cell);
   const Vec3 from = (1.0 / spec.cell) * frame.origin;
+  const FaceImages faces(frame);
   HitWriter writer = hit_writer();
   const PieceOfRays piece_of_rays = by_range ? PieceOfRays(frame.beams, begin, count, spec)
                                              : PieceOfRays(frame.points + begin, count, frame.world_origin, spec);
   for (std::size_t k = 0; k < kPiecePoints / 4; ++k) {
     FourRays rays = piece_of_rays.four(k);
     set_free(rays, spec, frame.views[0].units);
-    lower(frame, rays);
+    lower(faces, frame.views[0], rays);
     Four cells[3];
     for (int a = 0; a < 3; ++a) cells[a] = static_cast<float>(axis(from, a)) + per_cell * rays.axes[a];
     writer.add(cells, rays.hits);

@@ -101,16 +101,18 @@ bool DepthPyramid::reaches(const PixelBox& box, std::int32_t far) const noexcept
 #if defined(__SSE2__) || defined(__aarch64__)
   const std::int32_t level = close_level(box);
   if (level >= levels_ || far > kDepthUnits) return false;
-  const std::int32_t stride = width(level);
+  const std::ptrdiff_t stride = width(level);
   if (stride >= kEight) {
     const std::int32_t u0 = box.u0 >> level;
-    const std::int32_t begin = u0 + kEight <= stride ? u0 : stride - kEight;
+    const std::int32_t begin = u0 + kEight <= width(level) ? u0 : width(level) - kEight;
     const std::int32_t first = u0 - begin;
     const std::int32_t last = (box.u1 >> level) - begin;
-    const Depth* row = least_[level] + static_cast<std::ptrdiff_t>(box.v0 >> level) * stride + begin;
+    const Depth* row = least_[level] + (box.v0 >> level) * stride + begin;
     const EightDepths bound = eight(far);
     EightDepths nearer = {};
-    for (std::int32_t v = box.v0 >> level; v <= box.v1 >> level; ++v, row += stride) nearer |= load(row) < bound;
+    // Always as many rows, the last one again and again: a number of turns that nobody can predict takes longer.
+    const std::int32_t rows = (box.v1 >> level) - (box.v0 >> level);
+    for (std::int32_t v = 0; v < kCloseEntries; ++v) nearer |= load(row + (v < rows ? v : rows) * stride) < bound;
     return none(nearer & (kPlaces >= eight(first)) & (kPlaces <= eight(last)));
   }
 #endif
