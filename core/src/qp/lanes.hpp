@@ -10,42 +10,43 @@ namespace tern::qp {
 
 /// A pair for targets without such registers. There, compilers keep vector types in memory, and copy them at each step.
 /// It copies number by number: as a whole, it would go through memory as well.
+/// Images that are compiled for size call small functions: not these.
 struct __attribute__((__may_alias__)) PlainPair {
   double first, second;
 
   PlainPair() = default;
-  PlainPair(double a, double b) : first(a), second(b) {}
-  PlainPair(const PlainPair& other) : first(other.first), second(other.second) {}
-  PlainPair& operator=(const PlainPair& other) {
+  [[gnu::always_inline]] PlainPair(double a, double b) : first(a), second(b) {}
+  [[gnu::always_inline]] PlainPair(const PlainPair& other) : first(other.first), second(other.second) {}
+  [[gnu::always_inline]] PlainPair& operator=(const PlainPair& other) {
     first = other.first;
     second = other.second;
     return *this;
   }
-  double operator[](int k) const { return k == 0 ? first : second; }
-  double& operator[](int k) { return k == 0 ? first : second; }
+  [[gnu::always_inline]] double operator[](int k) const { return k == 0 ? first : second; }
+  [[gnu::always_inline]] double& operator[](int k) { return k == 0 ? first : second; }
 };
-inline PlainPair operator+(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair operator+(PlainPair a, PlainPair b) {
   return {a.first + b.first, a.second + b.second};
 }
-inline PlainPair operator-(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair operator-(PlainPair a, PlainPair b) {
   return {a.first - b.first, a.second - b.second};
 }
-inline PlainPair operator-(PlainPair a) {
+[[gnu::always_inline]] inline PlainPair operator-(PlainPair a) {
   return {-a.first, -a.second};
 }
-inline PlainPair operator*(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair operator*(PlainPair a, PlainPair b) {
   return {a.first * b.first, a.second * b.second};
 }
-inline PlainPair& operator+=(PlainPair& a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair& operator+=(PlainPair& a, PlainPair b) {
   return a = a + b;
 }
-inline PlainPair& operator-=(PlainPair& a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair& operator-=(PlainPair& a, PlainPair b) {
   return a = a - b;
 }
-inline PlainPair& operator*=(PlainPair& a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair& operator*=(PlainPair& a, PlainPair b) {
   return a = a * b;
 }
-inline PlainPair larger_of(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair larger_of(PlainPair a, PlainPair b) {
   return {a.first > b.first ? a.first : b.first, a.second > b.second ? a.second : b.second};
 }
 
@@ -55,7 +56,7 @@ inline VectorPair larger_of(VectorPair a, VectorPair b) {
 }
 
 /// Stores two neighbours anywhere in an array of doubles.
-inline void store_two(PlainPair value, double* p) {
+[[gnu::always_inline]] inline void store_two(PlainPair value, double* p) {
   p[0] = value.first;
   p[1] = value.second;
 }
