@@ -123,6 +123,15 @@ struct Carver {
   }
 };
 
+/// The wanted voxels that no view has seen whole yet.
+BrickWords without(const BrickWords& wanted, const BrickWords& free) {
+  BrickWords open;
+  for (std::int32_t z = 0; z < kBrick; ++z) {
+    for (std::int32_t y = 0; y < kBrick; ++y) open.words[z][y] = wanted.words[z][y] & ~free.words[z][y];
+  }
+  return open;
+}
+
 }  // namespace
 
 void carve(const View& view, const Projector& projector, const Voxel& first, const BrickWords& wanted, BrickWords& free,
@@ -132,7 +141,14 @@ void carve(const View& view, const Projector& projector, const Voxel& first, con
       projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBrick);
   Cube cubes[8];
   for (int k = 0; k < 8; ++k) cubes[k] = {kBrick * k, 0, 0};
-  Carver carver{view, projector, wanted, free, work};
+  // The views of a scan overlap. What one of them has seen, the next ones need not look for.
+  BrickWords open;
+  const bool around = view.reach > 0.0;
+  if (around) {
+    work.spend(kOpenOperations);
+    open = without(wanted, free);
+  }
+  Carver carver{view, projector, around ? open : wanted, free, work};
   if (part.begins) left = carver.decide<kBrick>(centers, cubes);
   carver.divide<kBrick>(centers, cubes, left & part.cubes);
   left = static_cast<CubeBits>(left & ~part.cubes);

@@ -26,10 +26,12 @@ constexpr Operations kCloseOperations = 8 * ops::kDot;
 constexpr Operations decide_operations(bool around) noexcept {
   return 8 * (around ? 15 : 5) * ops::kDot;
 }
+/// Operations of finding the voxels that earlier views of a scan have not seen.
+constexpr Operations kOpenOperations = ops::kWord * kBrick * kBrick;
 /// The most operations of a whole brick: cubes of 8, 4 and 2 voxels, and all voxels.
 constexpr Operations carve_operations(bool around) noexcept {
   constexpr Operations kCubes = 1 + 8 + 64;
-  return kCubes * (choose_operations(2, around) + decide_operations(around)) +
+  return (around ? kOpenOperations : 0) + kCubes * (choose_operations(2, around) + decide_operations(around)) +
          8 * 64 * (choose_operations(1, around) + decide_operations(around) + (around ? 0 : 8 * kCloseOperations));
 }
 
