@@ -7,6 +7,7 @@
 #include "flight/flight_handle.hpp"
 #include "grid/grid_handle.hpp"
 #include "map/map_handle.hpp"
+#include "tern/from_beyond.hpp"
 
 namespace {
 
@@ -38,6 +39,12 @@ double tern_clear_until(const tern_grid* grid, const tern_trajectory* trajectory
 void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits) {
   if (spec == nullptr || limits == nullptr) return;
   *spec = tern::flight_spec(*limits);
+}
+
+std::uint8_t tern_limit_speed(double range, double delay, double speed, double size, const tern_flight_spec* spec,
+                              double clearance, tern_limits* limits) {
+  if (spec == nullptr || limits == nullptr) return kInvalid;
+  return code(tern::limit_speed({range, delay, speed, size}, *spec, clearance, *limits));
 }
 
 std::size_t tern_flight_words(tern_voxel dims) {
