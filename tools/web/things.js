@@ -14,25 +14,35 @@ function thingGeometry({shape, radius, half}, error) {
 
 /**
  * Things that move: each with its tube's width now, and the way of its centre. `run.things`: for each its shape, and rows
- * `step` seconds apart of its place and its error; a place of null while it is not there.
+ * `step` seconds apart of its place and its error; a place of null while it is not there. `run.film.tubes`, likewise: the
+ * tubes of the plan that is flown, without things in them.
  */
 class Things {
   constructor(run, palette, pixel) {
     this.group = new THREE.Group();
-    this.things = run.things.map((thing) => {
-      const solid = new THREE.Mesh(thingGeometry(thing, 0), new THREE.MeshLambertMaterial(thing.fence
-        ? {color: palette.fence, transparent: true, opacity: 0.28, depthWrite: false} : {color: palette.thing}));
-      const shell = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshLambertMaterial({color: palette.thing,
-        transparent: true, opacity: 0.22, depthWrite: false}));
-      this.group.add(solid, shell);
-      const lists = [[]];
-      thing.rows.forEach((row) => {
-        if (row === null) lists.push([]);
-        else lists[lists.length - 1].push(new THREE.Vector3(row[0], row[1], row[2]));
-      });
-      this.group.add(plainTubes(lists, palette.thing, tubeMaterial(0, 1.5, pixel, {opacity: 0.6})));
-      return {...thing, solid, shell, drawn: -1};
+    const tubes = (run.film && run.film.tubes) || [];
+    this.things = [...run.things.map((thing) => this.add(thing, this.addSolid(thing, palette, pixel), palette)),
+      ...tubes.map((tube) => this.add(tube, null, palette))];
+  }
+
+  add(thing, solid, palette) {
+    const shell = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshLambertMaterial({color: palette.thing,
+      transparent: true, opacity: 0.22, depthWrite: false}));
+    this.group.add(shell);
+    return {...thing, solid, shell, drawn: -1};
+  }
+
+  addSolid(thing, palette, pixel) {
+    const solid = new THREE.Mesh(thingGeometry(thing, 0), new THREE.MeshLambertMaterial(thing.fence
+      ? {color: palette.fence, transparent: true, opacity: 0.28, depthWrite: false} : {color: palette.thing}));
+    this.group.add(solid);
+    const lists = [[]];
+    thing.rows.forEach((row) => {
+      if (row === null) lists.push([]);
+      else lists[lists.length - 1].push(new THREE.Vector3(row[0], row[1], row[2]));
     });
+    this.group.add(plainTubes(lists, palette.thing, tubeMaterial(0, 1.5, pixel, {opacity: 0.6})));
+    return solid;
   }
 
   setTime(t) {
@@ -40,11 +50,13 @@ class Things {
       const x = Math.min(Math.max(t / thing.step, 0), thing.rows.length - 1);
       const before = Math.floor(x);
       const [row, next] = [thing.rows[before], thing.rows[Math.min(before + 1, thing.rows.length - 1)] || thing.rows[before]];
-      thing.solid.visible = thing.shell.visible = row !== null;
+      const solid = thing.solid;
+      thing.shell.visible = row !== null && (solid === null || row[3] > 0);
+      if (solid !== null) solid.visible = row !== null;
       if (row === null) continue;
       const at = row.map((number, i) => number + (x - before) * (next[i] - number));
-      thing.solid.position.set(at[0], at[1], at[2]);
-      thing.shell.position.copy(thing.solid.position);
+      if (solid !== null) solid.position.set(at[0], at[1], at[2]);
+      thing.shell.position.set(at[0], at[1], at[2]);
       const error = Math.round(100 * at[3]) / 100;
       if (error === thing.drawn) continue;
       thing.drawn = error;

@@ -8,6 +8,7 @@
 #include "flight/flight_state.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/number.hpp"
+#include "host/track_sample.hpp"
 #include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
@@ -16,6 +17,8 @@ namespace {
 constexpr double kPlanStep = 0.1;     ///< seconds between points of a plan
 constexpr int kMostPoints = 1000;     ///< of a plan
 constexpr double kMostRows = 6000.0;  ///< of the motion
+constexpr double kTubeStep = 0.1;     ///< seconds between rows of a tube, at least
+constexpr double kMostTubeRows = 1200.0;
 
 double seconds(std::int64_t t) {
   return 1e-9 * static_cast<double>(t);
@@ -64,19 +67,23 @@ tern::Box inside_of(const FlightWorld& world) {
   return {{lower.x + skin, lower.y + skin, lower.z + skin}, {upper.x - skin, upper.y - skin, upper.z - skin}};
 }
 
-/// Near the world alone, and with the tube's radius: 0 where the flight knows nothing of a thing.
+/// Farther from the world, nothing is shown.
+constexpr double kNear = 10.0;
+
+RunJson row_of(const FlightWorld& world, const tern::Vec3& place, double error) {
+  if (!(distance_to(world.boundary, place) < kNear)) return nullptr;
+  RunJson row = RunJson::array();
+  append_point(row, place);
+  row.push_back(rounded(error, 2));
+  return row;
+}
+
 RunJson moving_things_json(const FlightWorld& world, const ThingTotals& things) {
-  constexpr double kNear = 10.0;
   RunJson list = RunJson::array();
   for (std::size_t k = 0; k < things.places.size(); ++k) {
     const Thing& thing = world.things[k];
     RunJson rows = RunJson::array();
-    for (const ThingPlace& at : things.places[k]) {
-      RunJson row = RunJson::array();
-      append_point(row, at.place);
-      row.push_back(rounded(std::max(0.0, at.error), 2));
-      rows.push_back(distance_to(world.boundary, at.place) < kNear ? row : RunJson(nullptr));
-    }
+    for (const tern::Vec3& at : things.places[k]) rows.push_back(row_of(world, at, 0.0));
     list.push_back(thing_json({thing.name, false, thing.shape, thing.radius, thing.half, things.step, rows}));
   }
   return list;
@@ -87,12 +94,14 @@ RunJson moving_things_json(const FlightWorld& world, const ThingTotals& things) 
 FlightFilm::FlightFilm(const FlightWorld& world)
     : world_(world),
       growth_(inside_of(world)),
+      tube_step_(std::max(kTubeStep, world.settings.time_limit / kMostTubeRows)),
       stride_(std::max<std::int64_t>(
           1, std::llround(std::ceil(world.settings.time_limit * world.settings.tick_hz / kMostRows)))) {}
 
 void FlightFilm::note(const FlightMoment& moment) {
   if (ticks_ % stride_ == 0) note_motion(moment);
   growth_.note(now(moment), moment.map);
+  note_tubes(moment);
   if (moment.report.committed != before_.committed) note_commit(moment);
   if (moment.report.dropped != before_.dropped || moment.report.failed != before_.failed) note_lost(moment);
   before_ = moment.report;
@@ -107,6 +116,31 @@ void FlightFilm::note_motion(const FlightMoment& moment) {
   motion_.add("yaw", rounded(moment.yaw));
   motion_.add("work", moment.report.work);
   motion_.add("state", static_cast<int>(moment.report.mode));
+}
+
+void FlightFilm::note_tubes(const FlightMoment& moment) {
+  const double time = now(moment);
+  if (static_cast<double>(tube_rows_) * tube_step_ > time) return;
+  const tern::TrackTable& tubes = moment.state.facts.plans.at(moment.state.facts.time).tubes;
+  for (std::int32_t k = 0; k < tubes.count; ++k) {
+    ShownTube& tube = tubes_[tubes.tracks[k].id];
+    tube.of = tubes.tracks[k];
+    tube.rows.resize(tube_rows_);
+    const TrackSample sample = sample_of(tube.of, time);
+    tube.rows.push_back(sample.is_there ? row_of(world_, sample.place, sample.error) : RunJson(nullptr));
+  }
+  ++tube_rows_;
+}
+
+RunJson FlightFilm::tubes_json() const {
+  RunJson list = RunJson::array();
+  for (const auto& [id, tube] : tubes_) {
+    std::vector<RunJson> rows = tube.rows;
+    rows.resize(tube_rows_);
+    list.push_back(
+        thing_json({std::to_string(id), false, tube.of.shape, tube.of.radius, tube.of.half, tube_step_, rows}));
+  }
+  return list;
 }
 
 void FlightFilm::note_commit(const FlightMoment& moment) {
@@ -194,6 +228,7 @@ std::string FlightFilm::run(const FlightResult& result) const {
          {{"range", s.sensor_range}, {"fov", {s.sensor == "lidar" ? kTurn : s.fov_horizontal, s.fov_vertical}}}},
         {"known", growth_.known_json()},
         {"seen", growth_.seen_json()},
+        {"tubes", tubes_json()},
         {"commits", commits_},
         {"dropped", dropped_}}}};
   return run.dump(-1, ' ', false, RunJson::error_handler_t::replace);

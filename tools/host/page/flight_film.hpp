@@ -3,11 +3,16 @@
 #ifndef TERN_HOST_PAGE_FLIGHT_FILM_HPP
 #define TERN_HOST_PAGE_FLIGHT_FILM_HPP
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "host/flight/simulated_flight.hpp"
 #include "host/page/known_growth.hpp"
 #include "host/page/run_json.hpp"
+#include "tern/track.hpp"
 
 namespace tern_host {
 
@@ -25,10 +30,21 @@ class FlightFilm {
   void note_motion(const FlightMoment& moment);
   void note_commit(const FlightMoment& moment);
   void note_lost(const FlightMoment& moment);
+  void note_tubes(const FlightMoment& moment);
+  RunJson tubes_json() const;
   RunJson facts(const FlightResult& result) const;
+
+  /// A tube that committed plans were proven with: its last track, and a row for each instant.
+  struct ShownTube {
+    tern::Track of;
+    std::vector<RunJson> rows;
+  };
 
   const FlightWorld& world_;
   KnownGrowth growth_;
+  double tube_step_;
+  std::size_t tube_rows_ = 0;
+  std::map<std::uint32_t, ShownTube> tubes_;  ///< by the tracks' numbers
   MotionColumns motion_;
   RunJson commits_ = RunJson::array();
   RunJson dropped_ = RunJson::array();

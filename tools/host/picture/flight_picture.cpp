@@ -106,15 +106,15 @@ const char* axis_name(int axis) {
 /// Where things that move went, where they were at the end, and where the body touched one.
 void draw_moving_things(Canvas& canvas, const Axes& axes, const Projection& view, const FlightWorld& world,
                         const ThingTotals& things) {
-  for (const std::vector<ThingPlace>& places : things.places) {
+  for (const std::vector<tern::Vec3>& places : things.places) {
     std::vector<Pixel> way;
-    for (const ThingPlace& at : places) way.push_back(project(axes, view, at.place));
+    for (const tern::Vec3& at : places) way.push_back(project(axes, view, at));
     if (way.size() > 1) canvas.polyline(way, "class=\"thing-way\"");
   }
   for (std::size_t k = 0; k < things.places.size(); ++k) {
     if (things.places[k].empty()) continue;
     const Thing& thing = world.things[k];
-    const tern::Vec3 at = things.places[k].back().place;
+    const tern::Vec3 at = things.places[k].back();
     const double radius = thing.radius;
     const bool is_ball = thing.shape == tern::TrackShape::kBall;
     const bool is_box = thing.shape == tern::TrackShape::kBox;

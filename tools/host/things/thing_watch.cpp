@@ -23,12 +23,6 @@ double time_to_close(double way, double speed, double acceleration) {
 
 }  // namespace
 
-double tube_radius(const tern::Track& track, std::int64_t t) {
-  const double s = 1e-9 * static_cast<double>(t - track.measured);
-  const double error = track.error + track.error_speed * s + 0.5 * track.error_growth * s * s;
-  return track.reach > 0.0 ? std::min(error, track.error + track.reach * s) : error;
-}
-
 bool is_in_tube(const tern::Track& track, const tern::Vec3& place, std::int64_t t) {
   const double s = 1e-9 * static_cast<double>(t - track.measured);
   if (s < 0.0) return false;

@@ -28,9 +28,6 @@ struct ThingContact {
   bool in_tube;    ///< the thing was where the proof of what was flown allowed it to be
 };
 
-/// How far from its expected place a track's centre may be at time t, ns, m: in the smaller tube.
-double tube_radius(const tern::Track& track, std::int64_t t);
-
 /// True if a centre at `place` at time t, ns, is in both tubes of a track.
 bool is_in_tube(const tern::Track& track, const tern::Vec3& place, std::int64_t t);
 

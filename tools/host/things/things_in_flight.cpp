@@ -40,8 +40,7 @@ void ThingsInFlight::sense(std::int64_t t, const Vehicle& vehicle) {
   const double seconds = 1e-9 * static_cast<double>(t);
   if (places_.empty() || static_cast<double>(places_[0].size()) * step_ > seconds) return;
   for (std::size_t k = 0; k < places_.size(); ++k) {
-    const tern::Track* const track = detector_.known(k);
-    places_[k].push_back({motions_[k].at(seconds).position, track == nullptr ? -1.0 : tube_radius(*track, t)});
+    places_[k].push_back(motions_[k].at(seconds).position);
   }
 }
 

@@ -15,18 +15,12 @@
 
 namespace tern_host {
 
-/// Where a thing was, and how wrong the flight's track of it could be, m; negative where it had none.
-struct ThingPlace {
-  tern::Vec3 place;
-  double error;
-};
-
 /// What a flight met among things that move.
 struct ThingTotals {
   DetectorCounts detector;
   std::vector<ThingContact> contacts;
   double step = 0.0;                            ///< s, from one place to the next
-  std::vector<std::vector<ThingPlace>> places;  ///< of each thing, from time 0 on
+  std::vector<std::vector<tern::Vec3>> places;  ///< of each thing, from time 0 on
 
   int in_motion() const;
   int at_rest() const { return static_cast<int>(contacts.size()) - in_motion(); }
@@ -71,7 +65,7 @@ class ThingsInFlight {
   ThingWatch watch_;
   std::uint32_t committed_ = 0;
   double step_;
-  std::vector<std::vector<ThingPlace>> places_;
+  std::vector<std::vector<tern::Vec3>> places_;
 };
 
 }  // namespace tern_host
