@@ -354,20 +354,4 @@ TEST(FlightAim, ShorterPlansFollowThoseThatMetThings) {
   }
 }
 
-// With nothing but things that rest right ahead, the shortest plan leads aside: left first, then right.
-TEST(FlightAim, StepsAsideAtRest) {
-  Aim aim{};
-  aim.start.d[0] = {1.0, 2.0, 1.0};
-  aim.target_place = {1.0, 6.0, 3.0};
-  aim.at_target = true;
-  aim.step_aside(1.5);
-  expect_same(aim.place, Vec3{-0.5, 2.0, 1.0});
-  EXPECT_FALSE(aim.at_target);
-  aim.step_aside(-1.5);
-  expect_same(aim.place, Vec3{2.5, 2.0, 1.0});
-  aim.target_place = {1.0, 2.0, 9.0};
-  aim.step_aside(1.5);
-  expect_same(aim.place, Vec3{2.5, 2.0, 1.0});
-}
-
 }  // namespace

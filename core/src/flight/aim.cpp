@@ -235,14 +235,6 @@ bool Aim::leave_room(const TrackTable& things, double clearance, double cell) no
   return true;
 }
 
-void Aim::step_aside(double far) noexcept {
-  const Vec3 way = target_place - start.d[0];
-  const double long_way = horizontal_length(way);
-  const Vec3 aside = long_way > 0.0 ? Vec3{-way.y / long_way, way.x / long_way, 0.0} : Vec3{1.0, 0.0, 0.0};
-  forget_points();
-  lead_to(start.d[0] + far * aside);
-}
-
 void Aim::return_to_line(const FlightFacts& flight) noexcept {
   moved = beside_target = false;
   choose_place(flight, flight.spec.horizon);

@@ -63,8 +63,6 @@ struct Aim : Destination {
   /// the straight line from the last point to pass, as far as it must, or to that point: true if it did. `cell`: edge
   /// of a voxel.
   bool leave_room(const TrackTable& things, double clearance, double cell) noexcept;
-  /// Leads so far to the left of the way to the target, seen from above, or to the right if `far` is negative.
-  void step_aside(double far) noexcept;
   void move_to_reachable(const Vec3& reachable) noexcept;
   /// Leads to the point one horizon along the straight line, because there is no path.
   void return_to_line(const FlightFacts& flight) noexcept;

@@ -50,7 +50,7 @@ void Lead::shorten(const FlightFacts& flight, std::int64_t takeover) noexcept {
 void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, std::int64_t takeover,
                   Work& work) noexcept {
   hemmed_in = is_hemmed_in(flight, takeover);
-  remainder_is_free = steps_aside = false;
+  remainder_is_free = false;
   const GridSpec& window = flight.map.route().spec();
   const int attempt = (lookouts.leads() ? lookouts.failed_cycles : search.idle_cycles) % kAttempts;
   leads_out = hemmed_in && search.idle_cycles % 2 == 1;
@@ -84,7 +84,6 @@ bool Cycle::begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) 
   draft.plan.tubes.take(flight.tracks);
   draft.proven_on = flight.map.safe().revision();
   sidesteps.begin(stays);
-  steps_aside = true;
   job = Job::kSidestep;
   return true;
 }

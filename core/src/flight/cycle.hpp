@@ -80,7 +80,6 @@ struct Cycle {
   bool looks_out;            ///< the plan leads to a lookout, or to a place on the way to one
   std::uint32_t question;    ///< number of the last draft that waits, or waited, for an answer
   bool cut_off;              ///< no way leads to the target, and the vehicle rests as near to it as it can
-  bool steps_aside;          ///< the plan leads out of the way of something that moves, no nearer to the target
   std::uint32_t met_things;  ///< plans in a row that failed because of things that move, or fences for a while
   std::int32_t closing;      ///< the fence that is about to begin where the vehicle rests, or will; kNoFence: none
   std::uint32_t closings;    ///< cycles in a row for which there was one
@@ -89,7 +88,7 @@ struct Cycle {
   bool has_closed;           ///< the route leads around some of these
   BranchSearch branches;
   Sidesteps sidesteps;
-  bool gave_way;        ///< the last cycle looked for a sidestep: the next one plans
+  bool gave_way;        ///< the cycle looks for a sidestep, or the last one did: the next one plans
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
 
   void leave() noexcept { job = Job::kIdle; }
@@ -112,15 +111,12 @@ struct Cycle {
   Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
   /// No route leads around what is closed: asks for one through it. False if nothing is closed.
   bool ask_through(const FlightFacts& flight) noexcept;
-  /// Counts a plan that failed because of things that move or fences for a while.
-  void note_met(const Report& found) noexcept;
   /// The fence that keeps a vehicle from resting where the draft ends; kNoFence: none.
   std::int32_t fence_at_end(const FlightFacts& flight, const Draft& draft, Work& work) const noexcept;
   /// kFailed if the vehicle rests, and things leave it no place to go to.
   Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   /// How far ahead the next plan leads, m. Each plan in a row that failed because of things that move leads half as far
-  /// as the one before, down to an eighth of FlightSpec::horizon; then the next one leads all of it again. At rest, the
-  /// shortest one leads aside instead, by turns to the left and to the right.
+  /// as the one before, down to an eighth of FlightSpec::horizon; then the next one leads all of it again.
   double horizon(const FlightFacts& flight) const noexcept;
   /// The planner is done. `found` says what it found.
   Status finish(Report& found) noexcept;

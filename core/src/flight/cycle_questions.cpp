@@ -19,9 +19,8 @@ constexpr std::uint32_t kTracksPart = 4;
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
 /// After so many plans that met things that move, each shorter than the one before, the next one is of full length
-/// again. At rest, the last of them steps aside, so many clearances: past what rests right ahead, no plan may be found.
+/// again.
 constexpr std::uint32_t kShorterPlans = 4;
-constexpr double kAside = 3.0;
 
 /// For so long, the end of a plan must stay clear of what things that move are expected to do, seconds.
 constexpr double kRestClear = 0.2;
@@ -78,9 +77,6 @@ Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
 Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept {
   const double cell = flight.map.safe().spec().cell;
   const double clearance = flight.map.safe().spec().clearance();
-  steps_aside = met_things % kShorterPlans == kShorterPlans - 1 && flight.rests_at(takeover);
-  if (steps_aside)
-    aim.step_aside(met_things % (2 * kShorterPlans) < kShorterPlans ? kAside * clearance : -kAside * clearance);
   const bool makes_room = aim.leave_room(expected, clearance, cell);
   if (makes_room && flight.rests_at(takeover) && distance(aim.place, aim.start.d[0]) < cell) return Progress::kFailed;
   Request request = request_to(aim, flight);
@@ -104,13 +100,6 @@ Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work&
   work.spend(kPlanOperations);
   job = Job::kPlan;
   return Progress::kDone;
-}
-
-/// A fence ends when it ends: to step aside helps nothing.
-void Cycle::note_met(const Report& found) noexcept {
-  if (!is_by_track(found.status) && !steps_aside) return;
-  ++met_things;
-  if (found.fence != kNoFence && met_things % kShorterPlans == kShorterPlans - 1) ++met_things;
 }
 
 Status Cycle::finish(Report& found) noexcept {

@@ -102,8 +102,7 @@ Progress FlightState::end_planner() noexcept {
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(facts.itinerary)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
-  cycle.note_met(found);
-  if (cycle.steps_aside) return choose_draft(false);
+  if (is_by_track(found.status)) ++cycle.met_things;
   if (note_fault(found)) return give_up();
   if (cycle.ask_through(facts)) return;
   const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, found, draft.takeover)
@@ -195,12 +194,12 @@ bool FlightState::commit() noexcept {
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle
 /// flies back and forth without end.
 void FlightState::enter_draft() noexcept {
-  if (!draft.extends && !evasion.is_running && !draft.plan.looks_out && !cycle.steps_aside) {
+  if (!draft.extends && !evasion.is_running && !draft.plan.looks_out && !cycle.gave_way) {
     facts.itinerary.count_plan(facts, cycle.aim.start.d[0]);
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
-  if (!evasion.is_running) facts.itinerary.note_held_up(cycle.steps_aside);
+  if (!evasion.is_running) facts.itinerary.note_held_up(cycle.gave_way);
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();
@@ -224,7 +223,7 @@ void FlightState::give_up() noexcept {
   cycle.leave();
   evasion.leave();
   // What moves will be elsewhere soon, and a fence for a while ends: there is no reason to look around, or to give up.
-  const bool is_by_thing = block.passes(facts) || cycle.steps_aside;
+  const bool is_by_thing = block.passes(facts) || cycle.gave_way;
   if (is_by_thing && block.by != BlockedBy::kFence && facts.rests()) facts.itinerary.note_held_up(true);
   if (!facts.rests() || facts.itinerary.parked || is_by_thing) return;
   lookouts.note_failure(facts);
