@@ -64,13 +64,24 @@ TEST(FlightSidestep, AFastVehicleIsNotPushedBeyondItsSpeed) {
 
 /// Waits before a ball that covers its goal for good.
 struct WaitingRoom : FlightRoom {
-  WaitingRoom() {
+  explicit WaitingRoom(const FlightSpec& how = flight_spec()) : FlightRoom(how) {
     const Vec3 goal{6.125, 0.125, 1.125};
     flight.set_goal(goal);
     Track ball = thing(1, goal, kZero);
     ball.error_speed = ball.error_growth = ball.reach = 0.0;
     EXPECT_EQ(flight.update_track(ball), Status::kOk);
-    for (int k = 0; k < 400; ++k) tick();
+    for (int k = 0; k < 400; ++k) agree_and_tick();
+  }
+  /// Whatever needs a clearance gets it.
+  void agree_and_tick() {
+    Trajectory plan{};
+    std::int64_t takeover = 0;
+    const std::uint32_t question = spec.clearance > 0 ? flight.proposal(plan, takeover) : 0;
+    if (question != 0 && question != answered) {
+      EXPECT_EQ(flight.answer(question, true), Status::kOk);
+    }
+    answered = question;
+    tick();
   }
   Track thing(std::uint32_t id, const Vec3& place, const Vec3& velocity) const {
     Track track;
@@ -85,6 +96,7 @@ struct WaitingRoom : FlightRoom {
     track.reach = 1.2;
     return track;
   }
+  std::uint32_t answered = 0;
 };
 
 // Each walks at 0.8 m/s right over the place where the vehicle waits.
@@ -110,6 +122,30 @@ TEST(FlightSidestep, AVehicleThatWaitsGivesWay) {
     EXPECT_GE(nearest, FlightRoom::kRadius + kWalker - 1e-3) << k;
     EXPECT_GT(moved, 0.5) << k;
   }
+}
+
+// Plans that led nowhere do not count for a vehicle that gives way, also where it has to ask before it does.
+TEST(FlightSidestep, GivingWayForgivesFruitlessPlansOnceItIsCleared) {
+  FlightSpec spec = FlightRoom::flight_spec();
+  spec.clearance = 100000000;
+  WaitingRoom room(spec);
+  const Vec3 waits = room.position();
+  Vec3 walker = waits - Vec3{0.0, 5.0, 0.0};
+  const Vec3 velocity{0.0, 0.8, 0.0};
+  Itinerary& itinerary = room.state().facts.itinerary;
+  const std::uint32_t committed = room.report.committed;
+  for (int tick = 0; tick < 1000 && room.report.committed == committed; ++tick) {
+    if (tick % 10 == 0) {
+      EXPECT_EQ(room.flight.update_track(room.thing(2, walker, velocity)), Status::kOk);
+    }
+    itinerary.fruitless = 20;
+    room.agree_and_tick();
+    walker = walker + 0.01 * velocity;
+  }
+  EXPECT_GT(room.report.committed, committed);
+  EXPECT_EQ(itinerary.fruitless, 0);
+  for (int k = 0; k < 100; ++k) room.agree_and_tick();
+  EXPECT_GT(distance(room.position(), waits), 0.1);
 }
 
 }  // namespace
