@@ -246,6 +246,29 @@ TEST(ConvexPieces, RefusesWhatIsTooFarOrTooMuch) {
   Outline many{{}, 0};
   for (std::size_t i = 0; i <= tern_host::kMostCorners; ++i) many.corners.push_back({static_cast<std::int64_t>(i), 0});
   EXPECT_THROW(tern_host::convex_pieces({many}, 1, even_odd), std::invalid_argument);
+  many.corners.pop_back();
+  EXPECT_NO_THROW(tern_host::convex_pieces({many, {{{0, 0}, {9, 0}, {9, 9}}, 0, true}}, 1, even_odd));
+}
+
+/// Teeth of which each level passes all: the most work for so many corners.
+TEST(ConvexPieces, ThousandsOfTeethAreCut) {
+  tern_test::Random random(4410);
+  Outline comb{{}, 0};
+  const std::int64_t teeth = tern_test::scaled(1000);
+  for (std::int64_t i = 0; i < teeth; ++i) {
+    comb.corners.push_back({2000000 * i, -1000 * random.integer(1, 100000)});
+    comb.corners.push_back({2000000 * i + 1000000, 1000 * random.integer(1, 100000)});
+  }
+  comb.corners.push_back({2000000 * teeth, 200000000});
+  comb.corners.push_back({-1, 200000000});
+  double sum = 0.0;
+  for (const ConvexPiece& piece : tern_host::convex_pieces({comb}, 1, even_odd)) sum += piece.area;
+  double wanted = 0.0;
+  for (std::size_t i = 0; i < comb.corners.size(); ++i) {
+    const Corner &a = comb.corners[i], &b = comb.corners[(i + 1) % comb.corners.size()];
+    wanted += 0.5 * tern_host::kStep * tern_host::kStep * static_cast<double>(a.x * b.y - b.x * a.y);
+  }
+  EXPECT_NEAR(sum, wanted, 1e-6 * wanted);
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ int show_airspace(const AirspaceOptions& options) {
     if (!file.empty()) inputs.push_back(file);
   }
   check_output_paths(inputs, {options.fences, options.svg});
-  const tern_host::AirspaceSettings settings = settings_of(options);
+  tern_host::AirspaceSettings settings = settings_of(options);
+  settings.note = [](const std::string& what) { std::fprintf(stderr, "tern: %s\n", what.c_str()); };
   std::vector<tern_host::AirspaceFile> files;
   for (const std::string& path : options.files) files.push_back(tern_host::read_airspace(path));
   const tern_host::Airspace airspace = tern_host::make_airspace(files, settings);

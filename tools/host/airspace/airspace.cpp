@@ -9,6 +9,9 @@
 namespace tern_host {
 namespace {
 
+/// With so many corners, cutting a zone may take seconds.
+constexpr std::size_t kManyCorners = 2000;
+
 constexpr double kMostHours = 24.0 * 366.0;
 
 /// Bytes of the character at a place of a text in UTF-8; 0 where there is none, or one that controls a terminal.
@@ -126,6 +129,7 @@ class AirspaceMaker {
         return;
       }
     }
+    note_work(entry.zone);
     entry.fit = fit_zone(entry.zone, *heights_, settings_.fit);
     if (entry.fit.fences.empty()) {
       const bool keeps_in = entry.zone.kind == ZoneKind::kKeepIn;
@@ -136,6 +140,17 @@ class AirspaceMaker {
       entry.left_out = "as " + printable(other.zone.name) + ", " + other.zone.place;
       entry.fit.fences.clear();
     }
+  }
+
+  void note_work(const Zone& zone) const {
+    std::size_t corners = 0;
+    for (const ZoneArea& area : zone.areas) {
+      corners += area.ring.size();
+      for (const std::vector<GeoPoint>& hole : area.holes) corners += hole.size();
+    }
+    if (!settings_.note || corners < kManyCorners) return;
+    settings_.note(printable(zone.name) + ", " + zone.place + ", has " + std::to_string(corners) +
+                   " corners: this may take a while");
   }
 
   void add_points(const std::vector<ItineraryPoint>& from, std::vector<LocalPoint>& to) const {

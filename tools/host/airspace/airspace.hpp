@@ -5,6 +5,7 @@
 #ifndef TERN_HOST_AIRSPACE_AIRSPACE_HPP
 #define TERN_HOST_AIRSPACE_AIRSPACE_HPP
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct AirspaceSettings {
   DayEvents events;                    ///< when sunrise and the like are
   std::vector<std::string> leave_out;  ///< names of zones
   std::vector<std::string> keep_in;    ///< names of zones that are to be stayed in
+  std::function<void(const std::string& what)> note;  ///< hears of what may take seconds, before it does; or empty
 };
 
 /// A zone and what became of it.

@@ -39,7 +39,12 @@ struct Passing {
 };
 
 bool coincide(const Passing& a, const Passing& b) {
-  return a.at_bottom == b.at_bottom && a.at_top == b.at_top;
+  return compare(a.at_bottom, b.at_bottom) == 0 && compare(a.at_top, b.at_top) == 0;
+}
+
+bool is_left_of(const Passing& a, const Passing& b) {
+  const int at_bottom = compare(a.at_bottom, b.at_bottom);
+  return at_bottom < 0 || (at_bottom == 0 && compare(a.at_top, b.at_top) < 0);
 }
 
 /// From one level to the next, the edges that pass do not cross: the area between two of them is filled or it is not.
@@ -52,10 +57,14 @@ class Sweep {
   std::vector<Growing> run() {
     for (std::size_t level = 0; level + 1 < arrangement_.levels.size(); ++level) {
       advance(level);
-      std::vector<Growing> below;
-      below.swap(open_);
-      fill(level, below);
-      for (Growing& piece : below) done_.push_back(std::move(piece));
+      below_.swap(open_);
+      open_.clear();
+      first_below_ = 0;
+      line_ = line_of(arrangement_.levels[level]);
+      fill(level);
+      for (Growing& piece : below_) {
+        if (!piece.left.links.empty()) done_.push_back(std::move(piece));
+      }
     }
     for (Growing& piece : open_) done_.push_back(std::move(piece));
     return std::move(done_);
@@ -72,16 +81,20 @@ class Sweep {
       if (bottom < Level{Wide(edge.low.y), Wide(1)}) break;
       passing_.push_back({&edge, {}, {}});
     }
+    const LevelLine below = line_of(bottom), above = line_of(top);
     for (Passing& p : passing_) {
-      p.at_bottom = abscissa(*p.edge, bottom);
-      p.at_top = abscissa(*p.edge, top);
+      p.at_bottom = abscissa(*p.edge, below);
+      p.at_top = abscissa(*p.edge, above);
     }
-    std::sort(passing_.begin(), passing_.end(), [](const Passing& a, const Passing& b) {
-      return a.at_bottom < b.at_bottom || (a.at_bottom == b.at_bottom && a.at_top < b.at_top);
-    });
+    // Most edges are in order, from the level below.
+    for (std::size_t i = 1; i < passing_.size(); ++i) {
+      for (std::size_t k = i; k > 0 && is_left_of(passing_[k], passing_[k - 1]); --k) {
+        std::swap(passing_[k], passing_[k - 1]);
+      }
+    }
   }
 
-  void fill(std::size_t level, std::vector<Growing>& below) {
+  void fill(std::size_t level) {
     std::vector<int> windings(layers_, 0);
     const Passing* left = nullptr;
     for (std::size_t i = 0; i < passing_.size(); ++i) {
@@ -91,23 +104,34 @@ class Sweep {
       const bool filled = filled_(windings);
       if (filled && left == nullptr) left = &edge;
       if (filled || left == nullptr) continue;
-      add(level, *left, edge, below);
+      add(level, *left, edge);
       left = nullptr;
     }
   }
 
   /// True if the strip can go on with the piece: they share a whole side, and bend inwards nowhere.
-  bool continues(const Growing& piece, std::size_t level, const Passing& left, const Passing& right) const {
-    const Level& at = arrangement_.levels[level];
+  bool continues(const Growing& piece, const Passing& left, const Passing& right) const {
     if (piece.left.links.size() + piece.right.links.size() + 4 > kMostSides) return false;
     return compare_slopes(*left.edge, piece.left.last()) >= 0 && compare_slopes(*right.edge, piece.right.last()) <= 0 &&
-           abscissa(piece.left.last(), at) == left.at_bottom && abscissa(piece.right.last(), at) == right.at_bottom;
+           compare(abscissa(piece.left.last(), line_), left.at_bottom) == 0 &&
+           compare(abscissa(piece.right.last(), line_), right.at_bottom) == 0;
   }
 
-  void add(std::size_t level, const Passing& left, const Passing& right, std::vector<Growing>& below) {
-    const auto found = std::find_if(below.begin(), below.end(),
-                                    [&](const Growing& piece) { return continues(piece, level, left, right); });
-    if (found == below.end()) {
+  /// Pieces below are in order from left to right, too. Those that went on have no links left.
+  Growing* find_below(const Passing& left, const Passing& right) {
+    for (std::size_t k = first_below_; k < below_.size(); ++k) {
+      const bool is_over = below_[k].left.links.empty();
+      if (!is_over && continues(below_[k], left, right)) return &below_[k];
+      const int side = is_over ? -1 : compare(abscissa(below_[k].left.last(), line_), left.at_bottom);
+      if (side > 0) break;
+      if (side < 0 && k == first_below_) ++first_below_;
+    }
+    return nullptr;
+  }
+
+  void add(std::size_t level, const Passing& left, const Passing& right) {
+    Growing* const found = find_below(left, right);
+    if (found == nullptr) {
       open_.push_back({{{{left.edge, level}}}, {{{right.edge, level}}}, level, level + 1});
       return;
     }
@@ -115,7 +139,7 @@ class Sweep {
     if (compare_slopes(*left.edge, found->left.last()) != 0) found->left.links.push_back({left.edge, level});
     if (compare_slopes(*right.edge, found->right.last()) != 0) found->right.links.push_back({right.edge, level});
     open_.push_back(std::move(*found));
-    below.erase(found);
+    found->left.links.clear();
   }
 
   const Arrangement& arrangement_;
@@ -123,6 +147,9 @@ class Sweep {
   const Filled& filled_;
   std::size_t next_ = 0;          // of the edges by their lower ends
   std::vector<Passing> passing_;  // from left to right
+  LevelLine line_{};              // of the level below
+  std::vector<Growing> below_;    // up to the level below
+  std::size_t first_below_ = 0;   // those before are left of all that is still to come
   std::vector<Growing> open_;     // up to the level above
   std::vector<Growing> done_;
 };
@@ -159,8 +186,9 @@ ConvexPiece finished(const Growing& piece, const std::vector<Level>& levels) {
   const Level& top = levels[piece.top];
   const auto& left = piece.left.links;
   const auto& right = piece.right.links;
-  const bool has_bottom = !(abscissa(*left.front().edge, bottom) == abscissa(*right.front().edge, bottom));
-  const bool has_top = !(abscissa(*left.back().edge, top) == abscissa(*right.back().edge, top));
+  const LevelLine below = line_of(bottom), above = line_of(top);
+  const bool has_bottom = compare(abscissa(*left.front().edge, below), abscissa(*right.front().edge, below)) != 0;
+  const bool has_top = compare(abscissa(*left.back().edge, above), abscissa(*right.back().edge, above)) != 0;
   ConvexPiece out{};
   for (const Chain::Link& link : right) {
     out.sides.push_back(side(*link.edge, false));
@@ -202,7 +230,7 @@ void mirror(std::vector<ConvexPiece>& cut) {
 void check(const std::vector<Outline>& outlines) {
   std::size_t corners = 0;
   for (const Outline& outline : outlines) {
-    corners += outline.corners.size();
+    if (!outline.is_hull) corners += outline.corners.size();
     for (const Corner& c : outline.corners) {
       if (std::max(std::llabs(c.x), std::llabs(c.y)) > kMostSteps) {
         throw std::invalid_argument("a corner is more than 32 km from the origin");
@@ -220,16 +248,13 @@ std::vector<ConvexPiece> convex_pieces(const std::vector<Outline>& outlines, std
   check(outlines);
   std::vector<ConvexPiece> upright = cut_along_levels(outlines, layers, filled);
   if (upright.size() < 2) return upright;
-  // Cut across the other axis, there may be fewer pieces. Mirrored outlines wind the other way.
+  // Cut across the other axis, there may be fewer pieces. Mirrored outlines would wind the other way.
   std::vector<Outline> mirrored = outlines;
   for (Outline& outline : mirrored) {
     for (Corner& c : outline.corners) std::swap(c.x, c.y);
+    std::reverse(outline.corners.begin(), outline.corners.end());
   }
-  const Filled turned = [&filled](std::vector<int> windings) {
-    for (int& winding : windings) winding = -winding;
-    return filled(windings);
-  };
-  std::vector<ConvexPiece> across = cut_along_levels(mirrored, layers, turned);
+  std::vector<ConvexPiece> across = cut_along_levels(mirrored, layers, filled);
   if (across.size() >= upright.size()) return upright;
   mirror(across);
   return across;

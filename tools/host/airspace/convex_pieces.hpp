@@ -17,7 +17,8 @@ namespace tern_host {
 constexpr double kStep = 1.0 / 1048576.0;
 /// The largest coordinate of a corner, in steps: 32 km.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 35;
-/// Corners of all outlines together. The work grows with their square.
+/// Corners of all outlines together, besides those of hulls of others (Outline::is_hull). The work grows with their
+/// square.
 constexpr std::size_t kMostCorners = 20000;
 /// Sides of a piece; one with more is cut.
 constexpr std::size_t kMostSides = 40;
@@ -33,6 +34,7 @@ struct Corner {
 struct Outline {
   std::vector<Corner> corners;
   std::size_t layer;
+  bool is_hull = false;
 };
 
 /// True where the area is filled, from how often the outlines of each layer wind around the place: counter-clockwise

@@ -116,6 +116,16 @@ double depth_within(const ConvexPiece& piece, const ConvexPiece& polygon) {
   return depth;
 }
 
+bool has_corner_deeper(const std::vector<Outline>& outlines, double depth, const ConvexPiece& hull) {
+  const auto is_deeper = [&](const Corner& c) {
+    const ConvexPiece::Vertex at{static_cast<double>(c.x) * kStep, static_cast<double>(c.y) * kStep};
+    return depth_within({{}, {at}, 0.0}, hull) > depth;
+  };
+  return std::any_of(outlines.begin(), outlines.end(), [&](const Outline& outline) {
+    return std::any_of(outline.corners.begin(), outline.corners.end(), is_deeper);
+  });
+}
+
 bool reaches(const ConvexPiece& piece, const PlanBox& box, double by) {
   const ConvexPiece::Vertex corners[4] = {{box.lower.east, box.lower.north},
                                           {box.upper.east, box.lower.north},

@@ -26,6 +26,10 @@ std::vector<Corner> fewer_corners(const std::vector<Corner>& corners, std::size_
 /// How far the point is beyond the side, metres; negative within.
 double beyond(const Side& side, const ConvexPiece::Vertex& point);
 
+/// True if a corner of an outline is deeper in the hull of them all: then so is a part of the hull that is not theirs,
+/// but for outlines that go back along themselves.
+bool has_corner_deeper(const std::vector<Outline>& outlines, double depth, const ConvexPiece& hull);
+
 /// All of the piece is within so many metres of one of the convex polygon's sides.
 double depth_within(const ConvexPiece& piece, const ConvexPiece& polygon);
 

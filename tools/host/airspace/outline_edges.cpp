@@ -3,6 +3,8 @@
 #include "host/airspace/outline_edges.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace tern_host {
 namespace {
@@ -84,6 +86,15 @@ void note_meetings(const std::vector<Segment>& segments, Arrangement& found) {
   }
 }
 
+/// What the few roundings of numbers up to 4 kMostSteps amount to, and more, in steps.
+constexpr long double kRounding = 64.0L * kMostSteps * std::numeric_limits<long double>::epsilon();
+
+/// Exactly x times q dy.
+Wide scaled_x(const Abscissa& a) {
+  const Wide above = a.level->p - Wide(a.edge->low.y) * a.level->q;
+  return Wide(a.edge->low.x) * a.level->q * Wide(a.edge->dy()) + above * Wide(a.edge->dx());
+}
+
 }  // namespace
 
 bool operator<(const Level& a, const Level& b) {
@@ -94,17 +105,24 @@ bool operator==(const Level& a, const Level& b) {
   return a.p * b.q == b.p * a.q;
 }
 
-Abscissa abscissa(const Edge& edge, const Level& level) {
-  const Wide above = level.p - Wide(edge.low.y) * level.q;
-  return {Wide(edge.low.x) * level.q * Wide(edge.dy()) + above * Wide(edge.dx()), edge.dy()};
+LevelLine line_of(const Level& level) {
+  return {&level, rounded(level)};
 }
 
-bool operator<(const Abscissa& a, const Abscissa& b) {
-  return a.numerator * Wide(b.dy) < b.numerator * Wide(a.dy);
+Abscissa abscissa(const Edge& edge, const LevelLine& line) {
+  const long double slope = static_cast<long double>(edge.dx()) / static_cast<long double>(edge.dy());
+  const long double above = line.near - static_cast<long double>(edge.low.y);
+  return {&edge, line.level, static_cast<long double>(edge.low.x) + above * slope,
+          (1.0L + std::fabs(slope)) * kRounding};
 }
 
-bool operator==(const Abscissa& a, const Abscissa& b) {
-  return a.numerator * Wide(b.dy) == b.numerator * Wide(a.dy);
+int compare(const Abscissa& a, const Abscissa& b) {
+  if (a.edge == b.edge) return 0;
+  const long double apart = a.near - b.near, error = a.error + b.error;
+  if (apart > error) return 1;
+  if (apart < -error) return -1;
+  const Wide left = scaled_x(a) * Wide(b.edge->dy()), right = scaled_x(b) * Wide(a.edge->dy());
+  return (left > right) - (left < right);
 }
 
 long double rounded_x(const Edge& edge, const Level& level) {

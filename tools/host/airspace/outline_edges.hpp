@@ -34,14 +34,24 @@ struct Edge {
   std::int64_t dy() const { return high.y - low.y; }
 };
 
-/// An edge's x on a level, as a multiple of 1 / (q dy): comparable with others of the same level.
-struct Abscissa {
-  Wide numerator;
-  std::int64_t dy;
+/// A level, and about where it is, in steps.
+struct LevelLine {
+  const Level* level;
+  long double near;
 };
-Abscissa abscissa(const Edge& edge, const Level& level);
-bool operator<(const Abscissa& a, const Abscissa& b);
-bool operator==(const Abscissa& a, const Abscissa& b);
+LevelLine line_of(const Level& level);
+
+/// Where an edge is on a level: x in steps, off by at most `error`.
+struct Abscissa {
+  const Edge* edge;
+  const Level* level;
+  long double near;
+  long double error;
+};
+Abscissa abscissa(const Edge& edge, const LevelLine& line);
+/// Negative, zero or positive as x of `a` is less than, equal to or more than that of `b` on the same level: in exact
+/// numbers where they are too near to tell.
+int compare(const Abscissa& a, const Abscissa& b);
 
 /// The x of the edge on the level, and the level itself, in steps, rounded once.
 long double rounded_x(const Edge& edge, const Level& level);

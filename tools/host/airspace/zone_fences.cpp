@@ -53,8 +53,6 @@ class ZoneFit {
   }
 
  private:
-  // ---- in plan ----
-
   void add_area(const ZoneArea& area, std::size_t index) {
     const double tolerance = 0.25 * settings_.looseness;
     if (area.radius > 0.0) {
@@ -103,8 +101,6 @@ class ZoneFit {
     }
     return in_any;
   }
-
-  // ---- fences ----
 
   /// Bottom and top: the widest for a keep-out, the narrowest for a keep-in.
   bool find_heights(const ConvexPiece& piece) {
@@ -165,7 +161,7 @@ class ZoneFit {
   std::vector<ConvexPiece> pockets(const std::vector<Corner>& hull) {
     const std::size_t layers = 2 * zone_.areas.size();
     std::vector<Outline> all = outlines_;
-    all.push_back({hull, layers});
+    all.push_back({hull, layers, true});
     const Filled filled = [this, layers](const std::vector<int>& windings) {
       return windings[layers] != 0 && !holds({windings.begin(), windings.end() - 1});
     };
@@ -178,9 +174,13 @@ class ZoneFit {
     if (pieces.size() > 1 && zone_.areas.size() == 1) {
       const std::vector<Corner> corners = hull();
       const ConvexPiece whole = piece_of(corners);
-      double deepest = 0.0;
-      for (const ConvexPiece& pocket : pockets(corners)) deepest = std::max(deepest, depth_within(pocket, whole));
-      if (deepest <= 0.5 * settings_.looseness && corners.size() <= kMostSides) {
+      const double most = 0.5 * settings_.looseness;
+      const bool may_fit = corners.size() <= kMostSides && !has_corner_deeper(outlines_, most, whole);
+      double deepest = may_fit ? 0.0 : kInfinity;
+      for (const ConvexPiece& pocket : may_fit ? pockets(corners) : std::vector<ConvexPiece>{}) {
+        deepest = std::max(deepest, depth_within(pocket, whole));
+      }
+      if (deepest <= most) {
         out_.off += deepest;
         return add_keep_out(whole, by_);
       }
