@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "host/session.hpp"
 #include "support/random.hpp"
@@ -210,6 +211,33 @@ TEST(FenceChoice, KnowsWindows) {
     ASSERT_GE(distance(closed, q), 1.0 - 1e-6);
   }
   EXPECT_TRUE(passed) << "the zone is not in the way";
+}
+
+/// Links of 50 m that hold for 10 s each, one second of which they share: 5.5 m/s is neither too fast nor too slow.
+TEST(FenceChoice, FliesMoreSlowlyThroughAChain) {
+  std::string text = "boundary -20 -20 0 270 20 20\nresolution 1\nradius 0.5\nstart 0 0 5\ngoal 245 0 5\na_max 6\n";
+  const int links = 5;
+  for (int k = 0; k < links; ++k) {
+    text += "keepin " + std::to_string(50 * k - 10) + " -10 0 " + std::to_string(50 * k + 60) + " 10 20 during " +
+            std::to_string(k == 0 ? -1 : 9 * k) + " " + std::to_string(k + 1 == links ? 1000 : 9 * k + 10) + "\n";
+  }
+  tern_host::Session session;
+  for (const int speed : {8, 12, 16, 20}) {
+    const Scenario scenario = tern_host::parse_scenario(text + "v_max " + std::to_string(speed) + "\n", "chain");
+    const PlanResult result = session.plan(scenario);
+    ASSERT_TRUE(result.ok()) << speed;
+    EXPECT_EQ(result.scenario.limits.v_max.x, speed);
+    EXPECT_EQ(result.limits.v_max.x<speed, speed> 8);
+    for (double t = 0.0; t < tern::duration(result.trajectory); t += 0.05) {
+      const double x = tern::evaluate(result.trajectory, t).position.x;
+      bool is_in = false;
+      for (int k = 0; k < links; ++k) {
+        const bool holds = t >= (k == 0 ? -1 : 9 * k) && t <= (k + 1 == links ? 1000 : 9 * k + 10);
+        is_in = is_in || (holds && x >= 50 * k - 10 && x <= 50 * k + 60);
+      }
+      ASSERT_TRUE(is_in) << speed << " m/s, " << t << " s, " << x << " m";
+    }
+  }
 }
 
 }  // namespace

@@ -84,6 +84,8 @@ std::string tracks_line(const PlanResult& result) {
                                       fixed(scenario.clearance(), 3) +
                                       (count == 1 ? " m and its error kept" : " m and their errors kept");
   if (report.waits > 0.0) text += ", waits " + fixed(report.waits, 2) + " s";
+  const double slow = result.limits.v_max.x / scenario.limits.v_max.x;
+  if (slow < 1.0) text += ", at " + fixed(100.0 * slow, 0) + " % of the speed for the sake of the keep-ins";
   const double until = report.rest_clear_until;
   text += std::isfinite(until) ? ", rest clear until " + fixed(until, 3) + " s" : ", rest stays clear";
   return "  tracks      " + text + "\n";

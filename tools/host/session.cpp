@@ -15,7 +15,7 @@
 namespace tern_host {
 namespace {
 
-tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence>& fences,
+tern::Request request_of(const Scenario& scenario, const tern::Limits& limits, const std::vector<tern::Fence>& fences,
                          const std::vector<tern::Track>& tracks) {
   tern::Request request{};
   request.begin = nanoseconds(scenario.start_time);
@@ -28,7 +28,7 @@ tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence
   request.goal = scenario.goal;
   request.vias = scenario.vias.data();
   request.via_count = static_cast<std::int32_t>(scenario.vias.size());
-  request.limits = scenario.limits;
+  request.limits = limits;
   request.time_weight = scenario.time_weight;
   request.search = scenario.search;
   request.goal_mode = scenario.goal_mode;
@@ -48,6 +48,27 @@ void add_yaw(PlanResult& result) {
   auto plan = std::make_unique<tern::YawPlan>();
   result.yaw_status = plan_yaw(result.scenario.yaw, result.trajectory, *plan);
   if (result.yaw_status == tern::Status::kOk) result.yaw = std::move(plan);
+}
+
+/// Plans that are too fast for a chain are made again, each with four fifths of the speed before: an eighth in the end.
+constexpr int kSlower = 9;
+constexpr double kSlowerBy = 0.8;
+
+tern::Limits slower(tern::Limits limits) {
+  for (tern::Vec3* const v : {&limits.v_max, &limits.v_min})
+    *v = {kSlowerBy * v->x, kSlowerBy * v->y, kSlowerBy * v->z};
+  limits.v_horizontal *= kSlowerBy;
+  return limits;
+}
+
+/// True if there is no plan because all break a keep-in for a while: where the vehicle must be elsewhere soon, it
+/// cannot wait until a link holds, but fly there more slowly.
+bool leaves_chain(const PlanResult& result) {
+  const tern::Status status = result.report.status;
+  if (status != tern::Status::kGoalCovered && status != tern::Status::kNoClearTime) return false;
+  if (result.report.fence == tern::kNoFence) return false;
+  const tern::Fence& fence = result.scenario.fences[static_cast<std::size_t>(result.report.fence)].fence;
+  return fence.kind == tern::FenceKind::kKeepIn && tern::is_timed(fence);
 }
 
 tern::Status refuse(PlanResult& result, tern::Status status) {
@@ -92,8 +113,20 @@ tern::Status Session::build_grid(PlanResult& result) {
 }
 
 PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
+  PlanResult result = plan_among(scenario, scenario.limits, previous, previous_time);
+  tern::Limits limits = scenario.limits;
+  for (int k = 0; k < kSlower && leaves_chain(result); ++k) {
+    limits = slower(limits);
+    PlanResult next = plan_among(scenario, limits, previous, previous_time);
+    if (next.ok()) return next;
+  }
+  return result;
+}
+
+PlanResult Session::plan_among(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
+                               double previous_time) {
   if (!exceeds_capacity(scenario.fences)) {
-    PlanResult result = plan_once(scenario, previous, previous_time);
+    PlanResult result = plan_once(scenario, limits, previous, previous_time);
     if (result.report.status != tern::Status::kFencePlanesFull) return result;
   }
   FenceChoice choice(scenario);
@@ -103,17 +136,19 @@ PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previ
     if (result.report.status == tern::Status::kFencePlanesFull) return choice.mark_first();
     return result.report.status == tern::Status::kNoClearTime && choice.close(result.report.fence);
   };
-  PlanResult result = plan_once(choice.chosen(), previous, previous_time);
-  while (has_changed(result)) result = plan_once(choice.chosen(), previous, previous_time);
+  PlanResult result = plan_once(choice.chosen(), limits, previous, previous_time);
+  while (has_changed(result)) result = plan_once(choice.chosen(), limits, previous, previous_time);
   result.scenario.fences = scenario.fences;
   result.report.fence = choice.index_of(result.report.fence);
   result.report.check.fence = choice.index_of(result.report.check.fence);
   return result;
 }
 
-PlanResult Session::plan_once(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
+PlanResult Session::plan_once(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
+                              double previous_time) {
   PlanResult result;
   result.scenario = scenario;
+  result.limits = limits;
   result.grid = lay_out_grid(scenario);
   const tern::Status healthy = tern::self_test(tern::configuration_hash(), nullptr);
   if (healthy != tern::Status::kOk) {
@@ -123,7 +158,7 @@ PlanResult Session::plan_once(const Scenario& scenario, const tern::Trajectory* 
   if (build_grid(result) != tern::Status::kOk) return result;
   const std::vector<tern::Fence> fences = fences_of(scenario.fences);
   const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);
-  tern::Request request = request_of(scenario, fences, tracks);
+  tern::Request request = request_of(scenario, limits, fences, tracks);
   if (previous != nullptr && scenario.depends_on_time()) request.begin = previous->begin + nanoseconds(previous_time);
   request.previous = previous;
   request.previous_time = previous_time;
@@ -142,8 +177,8 @@ std::string Session::record(const PlanResult& result) const {
   std::string bytes(tern::plan_record_bytes(result.grid.dims), '\0');
   std::size_t used = 0;
   const tern::Status status =
-      tern::record_plan(grid_, request_of(result.scenario, fences, tracks), result.report.status, result.trajectory,
-                        reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size(), &used);
+      tern::record_plan(grid_, request_of(result.scenario, result.limits, fences, tracks), result.report.status,
+                        result.trajectory, reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size(), &used);
   if (status != tern::Status::kOk) {
     throw std::runtime_error(std::string("this query cannot be recorded: ") + tern::status_meaning(status));
   }

@@ -46,6 +46,7 @@ struct PlanResult {
   /// Null unless the scenario wants one; yaw_status says why not where it does.
   std::unique_ptr<tern::YawPlan> yaw;
   tern::Status yaw_status = tern::Status::kOk;
+  tern::Limits limits{};  ///< that the planner had: slower than the scenario's where a chain of keep-ins asks for that
 
   bool ok() const { return report.status == tern::Status::kOk; }
 };
@@ -57,14 +58,18 @@ class Session {
 
   /// Lays out, fills and inflates the grid, and plans, from the instant `previous_time` of `previous` if that is given.
   /// Of more fences than a request takes, it plans among those that matter (FenceChoice), and proves the plan against
-  /// all. Throws ScenarioError where the grid does not fit.
+  /// all. A plan that is too fast for a chain of keep-ins for a while is made again with lower limits on speed. Throws
+  /// ScenarioError where the grid does not fit.
   PlanResult plan(const Scenario& scenario, const tern::Trajectory* previous = nullptr, double previous_time = 0.0);
 
   /// The record of the last plan (tern/record.hpp). Its grid must have been bound.
   std::string record(const PlanResult& result) const;
 
  private:
-  PlanResult plan_once(const Scenario& scenario, const tern::Trajectory* previous, double previous_time);
+  PlanResult plan_among(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
+                        double previous_time);
+  PlanResult plan_once(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
+                       double previous_time);
   tern::Status build_grid(PlanResult& result);
   double microseconds(std::uint64_t ticks) const;
 
