@@ -36,7 +36,8 @@ std::string spoiled(const std::string& name, const std::string& from, const std:
 TEST(AirspaceErrors, NameTheirPlace) {
   expect_error("", "the file is empty");
   expect_error("\xFF\xFE<", "in UTF-16: save it in UTF-8");
-  expect_error("{\"type\": \"FeatureCollection\", \"features\": [", "not JSON: something is wrong at byte 44");
+  expect_error("{\"type\": \"FeatureCollection\", \"features\": [",
+               "not JSON: the file ends before it is complete (byte 44): it may be cut off");
   expect_error("[1, 2]", "none of the JSON formats");
   expect_error("{\"a\": 1e999}", "not JSON: a number is beyond all ranges");
   expect_error("{\"type\": \"Polygon\"}", "at /type: this must be 'FeatureCollection' or 'Feature'");

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/intent/intent_operator.hpp"
 #include "host/intent/intent_store.hpp"
 #include "support/random.hpp"
 
@@ -177,63 +178,28 @@ TEST(IntentStore, WantsAllOvnsThatMatter) {
   EXPECT_FALSE(answer.accepted) << "the first is another version by now";
 }
 
-/// An operator plans with what it knows, and learns from refusals, until its intent is accepted.
-class Operator {
- public:
-  Operator(const std::string& id, Scenario scenario) : scenario_(std::move(scenario)) { like_.id = id; }
-
-  /// One plan, and one write of it. True once it is accepted.
-  bool try_once(tern_host::IntentStore& store) {
-    const std::vector<Proposal> all = proposals_of(session_, scenario_, like_, known_, kField, settings());
-    const Proposal* const best = best_of(all);
-    if (best == nullptr) return false;
-    remedy = best->remedy;
-    written = best->intent;
-    const tern_host::StoreAnswer answer = store.put(written, key_of(known_));
-    for (const UtmEntity& entity : answer.missing) {
-      const auto old =
-          std::find_if(known_.begin(), known_.end(), [&](const UtmEntity& e) { return e.id == entity.id; });
-      if (old == known_.end()) {
-        known_.push_back(entity);
-      } else {
-        *old = entity;
-      }
-    }
-    return answer.accepted;
-  }
-
-  UtmEntity written;
-  Remedy remedy = Remedy::kNone;
-
- private:
-  tern_host::Session session_;
-  Scenario scenario_;
-  UtmEntity like_;
-  std::vector<UtmEntity> known_;
-};
+tern_host::IntentOperator one(const std::string& id, const std::string& start, const std::string& goal) {
+  UtmEntity like;
+  like.id = id;
+  return {flight(start, goal), like, kField, settings()};
+}
 
 TEST(Operators, ReplanUntilAllAreAccepted) {
   tern_host::IntentStore store(kField);
-  Operator operators[] = {{"a", flight("-300 0 50", "300 0 50")},
-                          {"b", flight("0 -300 50", "0 300 50")},
-                          {"c", flight("250 -200 50", "-250 200 50")}};
-  bool accepted[3] = {};
-  int writes = 0;
-  for (int round = 0; round < 6; ++round) {
-    for (int i = 0; i < 3; ++i) {
-      if (accepted[i]) continue;
-      ++writes;
-      accepted[i] = operators[i].try_once(store);
-    }
-  }
-  EXPECT_TRUE(accepted[0] && accepted[1] && accepted[2]);
-  EXPECT_EQ(operators[0].remedy, Remedy::kNone) << "it came first";
-  EXPECT_NE(operators[1].remedy, Remedy::kNone);
-  EXPECT_NE(operators[2].remedy, Remedy::kNone);
-  EXPECT_GT(writes, 3) << "somebody was refused";
-  for (const Operator& mine : operators) {
-    for (const Operator& theirs : operators) {
-      EXPECT_TRUE(conflicts_of(mine.written, {theirs.written}, kField).empty());
+  std::vector<tern_host::IntentOperator> operators;
+  operators.push_back(one("a", "-300 0 50", "300 0 50"));
+  operators.push_back(one("b", "0 -300 50", "0 300 50"));
+  operators.push_back(one("c", "250 -200 50", "-250 200 50"));
+  std::string log;
+  EXPECT_TRUE(plan_until_accepted(operators, store, 6, log)) << log;
+  EXPECT_EQ(log.find("round 1, flight: as asked"), 0u) << log;
+  EXPECT_NE(log.find("refused, 1 that it did not know"), std::string::npos) << log;
+  EXPECT_EQ(operators[0].remedy(), Remedy::kNone) << "it came first";
+  EXPECT_NE(operators[1].remedy(), Remedy::kNone);
+  EXPECT_NE(operators[2].remedy(), Remedy::kNone);
+  for (const tern_host::IntentOperator& mine : operators) {
+    for (const tern_host::IntentOperator& theirs : operators) {
+      EXPECT_TRUE(conflicts_of(mine.written(), {theirs.written()}, kField).empty());
     }
   }
 }
@@ -250,10 +216,10 @@ TEST(Operators, RandomFlightsNeverMeet) {
                std::to_string(random.integer(20, 100));
       };
       const std::string start = place(), goal = place();
-      Operator one(std::to_string(i), flight(start, goal));
+      tern_host::IntentOperator next = one(std::to_string(i), start, goal);
       bool done = false;
-      for (int round = 0; round < 5 && !done; ++round) done = one.try_once(store);
-      if (done) accepted.push_back(one.written);
+      for (int round = 0; round < 5 && !done; ++round) done = next.try_once(store);
+      if (done) accepted.push_back(next.written());
     }
     EXPECT_GE(accepted.size(), 2u);
     for (std::size_t i = 0; i < accepted.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "host/flight/family_scenario.hpp"
 #include "host/intent/conflicts.hpp"
 #include "host/intent/intent_json.hpp"
+#include "host/intent/intent_operator.hpp"
 #include "host/intent/intent_text.hpp"
 #include "host/intent/replan.hpp"
 #include "host/intent/tube_volumes.hpp"
@@ -25,6 +26,7 @@ namespace {
 struct IntentOptions {
   std::string plan;
   std::string scenario;
+  std::vector<std::string> operators;
   std::vector<std::string> overrides;
   std::vector<double> origin;
   double height = 0.0;
@@ -39,7 +41,9 @@ struct IntentOptions {
 };
 
 void check_options(IntentOptions& options) {
-  if (options.plan.empty() == options.scenario.empty()) throw std::runtime_error("give either a PLAN or --scenario");
+  const int given =
+      (options.plan.empty() ? 0 : 1) + (options.scenario.empty() ? 0 : 1) + (options.operators.empty() ? 0 : 1);
+  if (given != 1) throw std::runtime_error("give a PLAN, --scenario or --operators, and one of them alone");
   if (options.scenario.empty() && !(options.plan_json.empty() && options.overrides.empty())) {
     throw std::runtime_error("--plan and --set need --scenario: a PLAN is made already");
   }
@@ -112,9 +116,29 @@ int show_scenario(const IntentOptions& options, const tern_host::Scenario& scena
   return report(options, best->intent, others, frame, outputs);
 }
 
+/// Each scenario is an operator's. All write to one store in memory.
+int show_operators(const IntentOptions& options, const tern_host::LocalFrame& frame) {
+  constexpr int kRounds = 10;
+  tern_host::IntentStore store(frame);
+  for (const tern_host::UtmEntity& entity : read_others(options.others))
+    store.put(entity, key_of(store.relevant(entity)));
+  std::vector<tern_host::IntentOperator> operators;
+  for (const std::string& file : options.operators) {
+    tern_host::UtmEntity like = options.intent;
+    like.id = file;
+    operators.emplace_back(tern_host::named_scenario(file, options.overrides), like, frame,
+                           tern_host::ReplanSettings{options.tube, options.rest, options.longest_delay});
+  }
+  std::string log;
+  const bool all = tern_host::plan_until_accepted(operators, store, kRounds, log);
+  std::fputs(log.c_str(), stdout);
+  return all ? kExitOk : kExitNoPlan;
+}
+
 int show_intent(IntentOptions& options) {
   check_options(options);
   const tern_host::LocalFrame frame({{options.origin[0], options.origin[1]}, options.height});
+  if (!options.operators.empty()) return show_operators(options, frame);
   std::vector<std::string> inputs = options.others;
   if (options.scenario.empty()) {
     inputs.push_back(options.plan);
@@ -150,6 +174,11 @@ void add_tube_options(CLI::App& command, IntentOptions& options) {
 
 void add_scenario_options(CLI::App& command, IntentOptions& options) {
   command.add_option("--scenario", options.scenario, "Plan this, and give way where that must be")->type_name("FILE");
+  command
+      .add_option("--operators", options.operators,
+                  "Let an operator for each of these scenarios plan until all are accepted by a store in memory")
+      ->type_name("FILE")
+      ->expected(1, 100);
   command.add_option("--set", options.overrides, "Replace a setting of the scenario, as for tern plan")
       ->type_name("KEY=VALUE")
       ->expected(1)

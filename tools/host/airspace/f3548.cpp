@@ -139,7 +139,8 @@ std::string entity_id(std::string text) {
 }
 
 std::vector<UtmEntity> read_utm_file(const std::string& path) {
-  const nlohmann::json json = parse_json(read_bytes(path, kMaxTextBytes), path);
+  const nlohmann::json json = parse_json(read_bytes(path, kMaxTextBytes), path,
+                                         "Others are operational intents or constraints of ASTM F3548, in JSON");
   const JsonNode document(json, path);
   std::vector<UtmEntity> entities = read_utm_entities(document);
   if (entities.empty() && !document.has("operational_intents") && !document.has("constraints")) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/airspace/json_node.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/number.hpp"
@@ -9,11 +10,35 @@
 
 namespace tern_host {
 
-nlohmann::json parse_json(const std::string& bytes, const std::string& file) {
+namespace {
+
+/// Where and what, of a text that is wrong at a byte, counted from 1.
+[[noreturn]] void refuse_text(const std::string& text, std::size_t byte, const std::string& file,
+                              const std::string& advice) {
+  const std::string end = advice.empty() ? "" : ". " + advice;
+  const std::size_t at = byte > 0 ? byte - 1 : 0;
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw RecordError({file, 0}, "the file is empty" + end);
+  const auto line = static_cast<int>(1 + std::count(text.begin(), text.begin() + std::min(at, text.size()), '\n'));
+  if (at >= text.size()) {
+    throw RecordError({file, line}, "not JSON: the file ends before it is complete (byte " + std::to_string(byte) +
+                                        "): it may be cut off" + end);
+  }
+  const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  std::string near;
+  for (std::size_t i = at; i < text.size() && i < at + 20 && text[i] != '\n'; ++i) {
+    near += text[i] >= 0x20 && text[i] < 0x7F ? text[i] : '?';
+  }
+  throw RecordError({file, line},
+                    "not JSON: wrong at column " + std::to_string(at - begin + 1) + ", '" + near + "'" + end);
+}
+
+}  // namespace
+
+nlohmann::json parse_json(const std::string& bytes, const std::string& file, const std::string& advice) {
   try {
     return nlohmann::json::parse(bytes);
   } catch (const nlohmann::json::parse_error& error) {
-    throw RecordError({file, 0}, "not JSON: something is wrong at byte " + std::to_string(error.byte));
+    refuse_text(bytes, error.byte, file, advice);
   } catch (const nlohmann::json::exception&) {
     throw RecordError({file, 0}, "not JSON: a number is beyond all ranges");
   }

@@ -14,8 +14,9 @@
 
 namespace tern_host {
 
-/// The document. Throws RecordError with the byte where it goes wrong.
-nlohmann::json parse_json(const std::string& bytes, const std::string& file);
+/// The document. Throws RecordError with the line and column where it goes wrong. `advice`: what to give instead, for
+/// the end of the message.
+nlohmann::json parse_json(const std::string& bytes, const std::string& file, const std::string& advice = {});
 
 /// A view: the document outlives it. All functions throw RecordError where the value is of another kind.
 class JsonNode {

@@ -44,7 +44,8 @@ TimedPath path_of(const JsonNode& plan) {
 }  // namespace
 
 TimedPath parse_timed_path(const std::string& text, const std::string& name) {
-  const nlohmann::json json = parse_json(text, name);
+  const nlohmann::json json =
+      parse_json(text, name, "PLAN is what 'tern plan --json FILE' writes; a scenario goes to --scenario");
   TimedPath path = path_of(JsonNode(json, name));
   path.name = name;
   return path;
