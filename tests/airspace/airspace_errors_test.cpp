@@ -57,7 +57,15 @@ TEST(AirspaceErrors, NameTheirPlace) {
                "at /features/1/properties/until: '2026-03-01T12:00:00' is no");
 }
 
+/// As a sample of the Swiss CIS has them.
+TEST(AirspaceErrors, HeightsInQuotesAreRead) {
+  const std::string quoted = spoiled("geozones.ed269.json", "\"upperLimit\": 120", "\"upperLimit\": \"120\"");
+  EXPECT_NO_THROW(tern_host::parse_airspace(quoted, "quoted.json"));
+}
+
 TEST(AirspaceErrors, OfGeozones) {
+  expect_error(spoiled("geozones.ed269.json", "\"upperLimit\": 120", "\"upperLimit\": \"120 m\""),
+               "upperLimit: this must be a number");
   expect_error(spoiled("geozones.ed269.json", "\"PROHIBITED\"", "\"FORBIDDEN\""),
                "at /features/1/restriction: 'FORBIDDEN'");
   expect_error(spoiled("geozones.ed269.json", "\"M\", \"lowerLimit\"", "\"yd\", \"lowerLimit\""),

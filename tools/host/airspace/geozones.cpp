@@ -33,10 +33,10 @@ Restriction restriction_of(const JsonNode& word) {
 void read_heights(const JsonNode& layer, const char* lower, const char* lower_reference, const char* upper,
                   const char* upper_reference, const char* unit, Zone& zone) {
   const auto height = [&](const char* key, const char* reference) {
-    return ZoneHeight{metres_of(layer.at(key).number(), layer.at(unit)), reference_of(layer.at(reference))};
+    return ZoneHeight{metres_of(layer.at(key).number_or_text(), layer.at(unit)), reference_of(layer.at(reference))};
   };
   if (layer.has(lower)) zone.lower = height(lower, lower_reference);
-  if (layer.has(upper) && layer.at(upper).number() < kUnlimited) zone.upper = height(upper, upper_reference);
+  if (layer.has(upper) && layer.at(upper).number_or_text() < kUnlimited) zone.upper = height(upper, upper_reference);
   const bool empty = zone.lower && zone.upper && zone.lower->reference == zone.upper->reference &&
                      zone.upper->metres <= zone.lower->metres;
   if (!empty) return;

@@ -76,6 +76,12 @@ std::vector<JsonNode> JsonNode::items() const {
   return out;
 }
 
+double JsonNode::number_or_text() const {
+  double value = 0.0;
+  if (value_->is_string() && parse_number(value_->get<std::string>(), value) == NumberError::kNone) return value;
+  return number();
+}
+
 double JsonNode::number() const {
   if (!value_->is_number()) refuse("this must be a number");
   const double value = value_->get<double>();

@@ -35,8 +35,9 @@ class JsonNode {
   bool is_array() const { return value_->is_array(); }
   bool is_text() const { return value_->is_string(); }
   bool is_number() const { return value_->is_number(); }
-  double number() const;  ///< finite
-  int whole() const;      ///< within +- 1e9
+  double number() const;          ///< finite
+  double number_or_text() const;  ///< likewise, or the text of one: some files have them in quotes
+  int whole() const;              ///< within +- 1e9
   bool flag() const;
   const std::string& text() const;
   /// The text of a member, or `otherwise` where there is none or it is null.
