@@ -18,6 +18,8 @@ namespace {
 
 /// Halvings after which a piece counts with what is proven of it.
 constexpr int kMostCuts = 60;
+/// Room that is more than this, metres, is proven to three quarters.
+constexpr int kPlenty = 1;
 /// Metres more that a keep-out counts beyond the boundary: in a flat boundary, it would have no inside.
 constexpr int kSpare = 1;
 /// Rounds of alternating projections; where they have not converged, only a guess is worse.
@@ -148,13 +150,18 @@ class RoomSearch {
   }
 
   FenceRoom run() {
-    proven_ = found_.most - close_;
+    proven_ = enough();
     for (curve_ = 0; curve_ < curves_.size(); ++curve_) search(curves_[curve_], 0, 1, 0);
-    found_.least = std::min<Rational>(proven_, found_.most - close_);
+    found_.least = std::min<Rational>(proven_, enough());
     return found_;
   }
 
  private:
+  /// What is to be proven of a piece.
+  Rational enough() const {
+    return found_.most > kPlenty ? Rational(found_.most * 3 / 4) : Rational(found_.most - close_);
+  }
+
   Rational room_of(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
     std::optional<Rational> best;
     for (const Room* room : rooms_[curve_]) raise(best, room->of(hull, enough));
@@ -169,9 +176,9 @@ class RoomSearch {
   }
 
   void search(const Polygon<3>& piece, const Rational& u, const Rational& width, int halvings) {
-    const Rational enough = found_.most - close_;
-    const Rational room = room_of(piece, enough);
-    if (room >= enough) return;
+    const Rational wanted = enough();
+    const Rational room = room_of(piece, wanted);
+    if (room >= wanted) return;
     if (halvings == kMostCuts) {
       proven_ = std::min(proven_, room);
       return;

@@ -21,8 +21,8 @@ struct FenceRoom {
   Rational u;  ///< of that point, in [0, 1]
 };
 
-/// To within 1e-10 m. There are curves, in the world frame. `boundary`: of the world; what a keep-out has further than
-/// its distance beyond it does not matter.
+/// To within 1e-10 m, or to a quarter where there is more than a metre. There are curves, in the world frame.
+/// `boundary`: of the world; what a keep-out has further than its distance beyond it does not matter.
 FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary);
 /// The same of curves that need room from one of their own fences each, of which there are some.
 FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const std::vector<std::vector<const Fence*>>& fences,
