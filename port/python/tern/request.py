@@ -103,8 +103,8 @@ class Limits:
 class Fence:
     """A convex geofence: the points p with normals @ p <= offsets. World frame, metres. keep_out: the plan stays outside
     of it, with the radius to spare; otherwise inside. begin, until: of a fence for a while, nanoseconds of the clock of
-    Planner.plan's `begin`, or of Flight.tick; clock_error: by how much its clock may be off, seconds. If begin and until are equal, it
-    always holds."""
+    Planner.plan's `begin`, or of Flight.tick; clock_error: by how much its clock may be off, seconds. If begin and
+    until are equal, it always holds."""
     normals: Sequence[Sequence[float]]
     offsets: Sequence[float]
     keep_out: bool = False
