@@ -19,7 +19,7 @@ using tern::Status;
 
 /// Voxels beside the world's boundary, so that its faces are seen as walls.
 constexpr int kBeside = 2;
-/// The window does not slide if it reaches so far beyond the world, in voxels, besides the horizon.
+/// So far the window reaches beyond the world, in voxels, besides the horizon.
 constexpr int kSlideRoom = 40;
 
 /// Plans wait no longer than that for answers, ns.
@@ -45,6 +45,7 @@ tern::MapSpec map_spec_of(const SwarmWorld& world, const SwarmSettings& settings
                           middle.z - 0.5 * world.cell * dims.z};
   tern::MapSpec spec = tern::map_spec(origin, world.cell, dims, world.body_radius);
   spec.tracking_margin = settings.tracking_margin;
+  spec.slack = tern::kMaxDimension;  // the window holds the whole world: what slides out of it would be forgotten
   return spec;
 }
 
