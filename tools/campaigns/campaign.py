@@ -7,12 +7,13 @@
   fly      flights through worlds that are discovered on the way
   faults   such flights with each of the faults of faults.py, or with one: P25@5, P25@5/dropped-50
   attack   cases of a family of the attack, in blocks of 500
+  swarm    swarms over lossy links (docs/swarm.md)
 
 A row of the table is a family, such as P25, or P25@8 at 8 m/s (`tern fly --help`), or noise, boxes, ... for attack
-(docs/attack.md). Run k of a row is FAMILY:k. Finished runs are kept in FOLDER/NAME.csv, so that the same command goes
-on where a killed one was. With another build of the program or other settings, it begins anew and keeps the old runs as
-FOLDER/NAME-1.csv. Tables go to FOLDER/NAME-table.csv and .md. The first failing world of each row goes to
-FOLDER/NAME-failures/, with as few obstacles as still fail.
+(docs/attack.md), or T3-20 for swarm. Run k of a row is FAMILY:k. Finished runs are kept in FOLDER/NAME.csv, so that the
+same command goes on where a killed one was. With another build of the program or other settings, it begins anew and
+keeps the old runs as FOLDER/NAME-1.csv. Tables go to FOLDER/NAME-table.csv and .md. The first failing world of each row
+goes to FOLDER/NAME-failures/, with as few obstacles as still fail.
 
 Exit status: 0; 1 where a run touched something, broke an invariant, exceeded its tracking margin or crashed, or where
 fewer than --least of a row's runs succeeded; 2 for wrong usage."""
@@ -28,19 +29,17 @@ import time
 import kinds
 import minimise
 import pool
-import swarms
 import table
+from registry import KINDS
 from state import State
-
-
-KINDS = {**kinds.KINDS, swarms.Swarm.name: swarms.Swarm}
 
 
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="tools/campaign", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("kind", choices=sorted(KINDS), help="what to run")
-    parser.add_argument("rows", nargs="+", metavar="FAMILY", help="P25, P25@8, S20, C@6, B, O, M; noise, boxes; T3-20, swap-16/loss=0.5; ...")
+    parser.add_argument("rows", nargs="+", metavar="FAMILY",
+                        help="P25, P25@8, S20, C@6, B, O, M; noise, boxes; T3-20, swap-16/loss=0.5; ...")
     parser.add_argument("--runs", "--flights", type=int, default=100, metavar="N", help="of each row (default 100)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="of the first run of each row (default 1)")
     parser.add_argument("--set", dest="settings", action="append", default=[], metavar="KEY=VALUE",

@@ -1,6 +1,7 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The faults of `tools/campaign faults`: what goes wrong, and the settings that make it (docs/formats.md)."""
+"""Flights with faults as a kind of campaign: what goes wrong, and the settings that make it (docs/formats.md)."""
+from kinds import Fly, settings_words
 
 FAULTS = {
     "none": [],
@@ -31,3 +32,33 @@ def split(row):
     """The family, and the settings of the fault; None where there is no such fault."""
     family, _, fault = row.partition("/")
     return family, FAULTS.get(fault)
+
+
+class Faults(Fly):
+    """Flight k of a row FAMILY/FAULT is the world FAMILY:k with the settings of the fault."""
+    name = "faults"
+
+    def rows(self, given):
+        return [row for one in given for row in rows_of(one)]
+
+    def settings_of(self, row):
+        chosen = dict(text.split("=", 1) for text in [*SETTINGS, *self.settings, *(split(row)[1] or [])])
+        return [f"{key}={value}" for key, value in chosen.items()]
+
+    def command(self, row, seed):
+        return [self.program, "fly", f"{split(row)[0]}:{seed}", *settings_words(self.settings_of(row))]
+
+    def probe(self, row, folder):
+        return [*self.command(row, self.seed)[1:], "--set", "time_limit=0.1"]
+
+    def refusal(self, row):
+        if split(row)[1] is None:
+            return f"there is no such fault; these are {', '.join(FAULTS)}"
+        return super().refusal(row)
+
+    def failed(self, entry):
+        """Flights that are stopped by what went wrong did what they could."""
+        return self.is_defect(entry)
+
+    def world_file(self, entry):
+        return super().world_file({**entry, "row": split(entry["row"])[0]})

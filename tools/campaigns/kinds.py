@@ -1,7 +1,8 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a campaign runs: plans, flights or attacks. A kind says how runs are grouped into jobs, does a job in processes
-of its own, says which runs failed and with which command one is repeated."""
+"""What a campaign runs: plans, flights or attacks; faults.py and swarms.py have the other kinds. A kind says how runs
+are grouped into jobs, does a job in processes of its own, says which runs failed and with which command one is
+repeated."""
 import csv
 import io
 import json
@@ -10,8 +11,6 @@ import pathlib
 import subprocess
 import tempfile
 import time
-
-import faults
 
 BLOCK = 500  # cases of one job of an attack: the attack keeps its state by such blocks
 FIRST_TALLIES = ["cases", "plans", "replans", "compared", "hover", "stop_and_go", "optimised", "needed", "followed",
@@ -147,36 +146,6 @@ class Fly(Kind):
         return [self.program, "fly", str(path)]
 
 
-class Faults(Fly):
-    """Flight k of a row FAMILY/FAULT is the world FAMILY:k with the settings of the fault."""
-    name = "faults"
-
-    def rows(self, given):
-        return [row for one in given for row in faults.rows_of(one)]
-
-    def settings_of(self, row):
-        chosen = dict(text.split("=", 1) for text in [*faults.SETTINGS, *self.settings, *(faults.split(row)[1] or [])])
-        return [f"{key}={value}" for key, value in chosen.items()]
-
-    def command(self, row, seed):
-        return [self.program, "fly", f"{faults.split(row)[0]}:{seed}", *settings_words(self.settings_of(row))]
-
-    def probe(self, row, folder):
-        return [*self.command(row, self.seed)[1:], "--set", "time_limit=0.1"]
-
-    def refusal(self, row):
-        if faults.split(row)[1] is None:
-            return f"there is no such fault; these are {', '.join(faults.FAULTS)}"
-        return super().refusal(row)
-
-    def failed(self, entry):
-        """Flights that are stopped by what went wrong did what they could."""
-        return self.is_defect(entry)
-
-    def world_file(self, entry):
-        return super().world_file({**entry, "row": faults.split(entry["row"])[0]})
-
-
 class Plan(Kind):
     """Plan k of a row goes through the world FAMILY:k with full knowledge. Jobs are batches; where one ends early, its
     plans are made one by one."""
@@ -203,7 +172,8 @@ class Plan(Kind):
         if isinstance(entries, str):
             alone = lambda seed: self.crashed(row, seed, entries) if count == 1 else self.run((row, seed, 1))[0]
             return [alone(seed) for seed in seeds]
-        return [{"row": row, "seed": seed, **self.judged(entry), "seconds": seconds} for seed, entry in zip(seeds, entries)]
+        return [{"row": row, "seed": seed, **self.judged(entry), "seconds": seconds}
+                for seed, entry in zip(seeds, entries)]
 
     @staticmethod
     def crashed(row, seed, reason):
@@ -304,9 +274,6 @@ class Attack(Kind):
 
     def file_command(self, path, entry):
         return [self.program, "--seed", str(self.seed), "--case", self.case(entry)[0], "--only-obstacles", str(path)]
-
-
-KINDS = {kind.name: kind for kind in (Plan, Fly, Faults, Attack)}
 
 
 def run_job(kind, job):

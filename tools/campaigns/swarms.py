@@ -48,7 +48,8 @@ class Swarm(Kind):
         return self.words(row, self.seed, [*settings, "time-limit=0.02"])
 
     def refusal(self, row):
-        """A swarm that the program knows arrives, or does not, in the time of the probe."""
+        """What the program says where it knows no such swarm or option. The probe is too short to arrive, so status 3
+        is no refusal."""
         done = self.call(self.probe(row, None), 300)
         return done.stderr.strip() if done is not None and done.returncode not in (0, 3) else None
 

@@ -9,7 +9,7 @@ import sys
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("campaigns", "verify")]
 import bounds  # noqa: E402
-import kinds  # noqa: E402
+import registry  # noqa: E402
 import subjects  # noqa: E402
 import table  # noqa: E402
 
@@ -55,7 +55,7 @@ def campaign(path):
         families[entry["row"]].append(entry)
     rows = [dict(zip(columns, map(str, table.ROWS[kind](family, own)))) for family, own in families.items()]
     total = lambda column: sum(int(row[column] or 0) for row in rows) if column in columns else 0
-    kind = kinds.KINDS[kind]("tern", settings.split(), 0)
+    kind = registry.KINDS[kind]("tern", settings.split(), 0)
     failed = [entry for entry in entries if kind.failed(entry) or kind.excess(entry)]
     lines = [f"- `{entry['row']}:{entry['seed']}`: {entry['status']} {entry.get('reason') or kind.excess(entry)}\n"
              for entry in failed[:NAMED]]

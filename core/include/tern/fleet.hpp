@@ -88,8 +88,8 @@ struct Neighbour {
   bool has_right_of_way = false;
   bool has_left = false;  ///< it said that it flies no more
   bool ready = false;     ///< it knows of this vehicle, and its plan is known: kSilent is not said of it
-  uint32_t flies = 0;     ///< numbers of the plans that Fleet::traffic() gives: in which it is now; 0: not known
-  uint32_t may_fly = 0;   ///< which it announced and may take over; 0: none
+  uint32_t flies = 0;     ///< number of the plan that it flies; 0: not known
+  uint32_t may_fly = 0;   ///< number of the plan that it announced and may take over; 0: none
 };
 
 /// Bytes of the smallest packet that write() makes. They suit every link with packets of 27 bytes or more.
@@ -151,8 +151,8 @@ class Fleet {
   /// kTracksFull or kTrackPiecesFull if there is not enough room; then `count` is the number of tracks that fit.
   Status traffic(int64_t now, Track* tracks, int32_t room, TrackPiece* pieces, int32_t piece_room,
                  int32_t& count) const noexcept;
-  /// The same of one member: 0 <= index < neighbours(), or kInvalidArgument. Neighbour::flies and may_fly say whether
-  /// that is something new.
+  /// traffic() of one member: 0 <= index < neighbours(), or kInvalidArgument. Call it when Neighbour::incarnation,
+  /// flies or may_fly has changed.
   Status traffic_of(int32_t index, int64_t now, Track* tracks, int32_t room, TrackPiece* pieces, int32_t piece_room,
                     int32_t& count) const noexcept;
 
