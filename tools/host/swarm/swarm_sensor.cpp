@@ -12,7 +12,6 @@ namespace tern_host {
 namespace {
 
 constexpr std::int64_t kPeriod = 100000000;  ///< ns from one scan to the next
-constexpr double kHorizon = 0.8;             ///< of plans, in ranges
 constexpr double kScanPixel = 0.06;          ///< rad
 
 }  // namespace
@@ -40,17 +39,21 @@ SwarmSensor::SwarmSensor(const SwarmWorld& world, const SwarmTask& task, double 
 }
 
 void SwarmSensor::describe(tern::MapSpec& spec) const {
-  const FlightSettings& s = truth_.settings;
-  spec.range = s.sensor_range;
-  spec.depth_margin = s.depth_margin;
-  spec.pose_margin = 0.0;
-  spec.scan_pixel = s.scan_pixel;
-  spec.pixels = static_cast<std::int32_t>(std::ceil(6.0 * 2.5 * 2.5 / (s.scan_pixel * s.scan_pixel))) + 1;
+  const tern::MapSpec own = map_spec_of(truth_);
+  spec.range = own.range;
+  spec.depth_margin = own.depth_margin;
+  spec.depth_margin_square = own.depth_margin_square;
+  spec.pose_margin = own.pose_margin;
+  spec.scan_pixel = own.scan_pixel;
+  spec.hits = own.hits;
+  spec.support = own.support;
+  spec.pixels = own.pixels;
 }
 
 void SwarmSensor::describe(tern::FlightSpec& spec) const {
-  spec.horizon = std::min(spec.horizon, kHorizon * truth_.settings.sensor_range);
-  spec.sensor = flight_sensor_of(truth_.settings);
+  const tern::FlightSpec own = flight_spec_of(truth_.settings);
+  spec.horizon = std::min(spec.horizon, own.horizon);
+  spec.sensor = own.sensor;
 }
 
 void SwarmSensor::assume_start(tern::RollingMap& map) const {
