@@ -70,6 +70,7 @@ TEST(FlightFromBeyond, NothingTouchesAVehicleThatIsSlowEnough) {
   for (int k = 0; k < flights; ++k) {
     Limits fast = FlightRoom::flight_spec().limits;
     if (k % 2 == 1) fast.j_max = {120.0, 120.0, 120.0};
+    if (k % 3 == 2) fast.thrust_max = 14.0;
     Limits slow = fast;
     ASSERT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), FlightRoom::kRadius, slow), Status::kOk);
     EXPECT_LT(slow.v_max.x, 0.8 * fast.v_max.x);
@@ -120,6 +121,13 @@ TEST(FlightFromBeyond, RefusesWhatNoSpeedHelpsAgainst) {
   EXPECT_EQ(answer(with(&FromBeyond::speed, -1.0), 0.5), Status::kInvalidArgument);
   EXPECT_EQ(answer(with(&FromBeyond::size, -1.0), 0.5), Status::kInvalidArgument);
   EXPECT_EQ(answer(kComer, -0.5), Status::kInvalidArgument);
+  Limits limits = before;
+  limits.a_max.x = 0.0;
+  EXPECT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kLimitsInvalid);
+  limits = before;
+  limits.thrust_min = 2.0;
+  limits.rate_max = 3.0;
+  EXPECT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kInvalidArgument);
   EXPECT_EQ(answer(with(&FromBeyond::speed, std::numeric_limits<double>::quiet_NaN()), 0.5), Status::kNonFiniteInput);
 }
 

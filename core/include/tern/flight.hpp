@@ -240,9 +240,10 @@ class Flight {
   /// that is not above 0 and at most 10 s, for a flight whose plans need no clearance, or before start().
   Status set_clearance(int64_t clearance) noexcept;
   /// Until when the place where the committed plan ends stays clear of the tubes of all things that move, and of fences
-  /// for a while, on the clock of tick(): a vehicle that rests there may be run into later. As the last tick knew them;
-  /// it may be over. INT64_MAX if nothing comes within kRestHorizon, or before start(). While the proof takes more than
-  /// a quarter of a tick's work, the time at which it begins.
+  /// for a while, on the clock of tick(): a vehicle that rests there may be run into later. The answer is that of the
+  /// last tick, and may lie in the past. INT64_MAX if nothing comes within kRestHorizon, or before start(). A proof
+  /// that takes more than a quarter of a tick's work goes on in the next ticks; until it ends, the answer is the time
+  /// from which on it proves.
   int64_t rest_clear_until() const noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before

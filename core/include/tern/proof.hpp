@@ -48,7 +48,7 @@ struct Alarm {
 /// What a proof may rely on. World frame, metres; copied by Proof::begin(). Null: nothing.
 struct ProofGrounds {
   /// The trajectory was proven before, and no obstacle was added since but in this box. Only the parts of the
-  /// trajectory near the box are proven again, and no fence for a while. See RollingMap::take_added().
+  /// trajectory near the box are proven again. Fences for a while are not. See RollingMap::take_added().
   const Box* added = nullptr;
   /// A place to get away from, for a vehicle at rest with something within its radius. The trajectory may come as near
   /// to an obstacle as this place is, even if that is less than the radius, but no nearer.

@@ -88,7 +88,7 @@ struct Cycle {
   bool has_closed;           ///< the route leads around some of these
   BranchSearch branches;
   Sidesteps sidesteps;
-  bool gave_way;        ///< the cycle looks for a sidestep, or the last one did: the next one plans
+  bool gave_way;        ///< this cycle looks for a sidestep. The next one makes a plan
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
 
   void leave() noexcept { job = Job::kIdle; }

@@ -7,12 +7,14 @@
 #include "curve/brake.hpp"
 #include "flight/branch.hpp"
 #include "flight/evasion.hpp"
+#include "planner/validate.hpp"
 
 namespace tern {
 namespace {
 
-/// Between the 26 directions that are looked at, the weakest brake is at most so much weaker.
-constexpr double kBetweenDirections = 0.95;
+/// No direction is weaker than this share of the weakest of the 26 that are looked at: gauges are convex, and each
+/// direction lies between three of the 26, whose plane is 1 / sqrt(1.2726) from the centre.
+constexpr double kBetweenDirections = 0.8864;
 constexpr int kHalvings = 30;
 /// Accelerations forwards from which brakes are looked at, besides none.
 constexpr int kAccelerations = 8;
@@ -55,7 +57,7 @@ double needed_range(const FromBeyond& what, const MotionLimits& limits, double l
                     double acceleration) {
   Trajectory brake{};
   const JointState now{{kZero, {speed, 0.0, 0.0}, {acceleration, 0.0, 0.0}, kZero}};
-  if (!append_sharp_stop(now, limits, brake)) return kMaxLimit * kMaxLimit;
+  if (!append_sharp_stop(now, limits, brake)) return kAnywhere;
   const double time = what.delay + lead + kSettleTime;
   const double way = brake.segments[brake.count - 1].points[kDegree].x;
   return clearance + what.size + what.speed * (time + duration(brake)) + speed * time + way;
@@ -81,7 +83,9 @@ Status limit_speed(const FromBeyond& what, const FlightSpec& spec, double cleara
     return Status::kNonFiniteInput;
   const bool is_valid = what.range > 0.0 && what.delay >= 0.0 && what.speed >= 0.0 && what.size >= 0.0 &&
                         clearance >= 0.0 && spec.tick > 0 && spec.work_per_tick > 0;
-  if (!is_valid) return Status::kInvalidArgument;
+  if (!is_valid || limits.rate_max > 0.0) return Status::kInvalidArgument;
+  const Verdict ranges = validate_limits(limits);
+  if (ranges.status != Status::kOk) return ranges.status;
   // The tick that is told of the thing, and those before the brake.
   const double lead = 1e-9 * static_cast<double>((Evasion{}.ticks(spec) + 1) * spec.tick);
   const Limits weakest = weakest_of(limits);

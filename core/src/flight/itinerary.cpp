@@ -132,9 +132,9 @@ bool Itinerary::count_plan(const FlightFacts& flight, const Vec3& from) noexcept
 }
 
 /// Plans that led nowhere so far do not count for a vehicle that is pushed away.
-void Itinerary::note_held_up(bool is) noexcept {
-  is_held_up = is;
-  if (is) fruitless = 0;
+void Itinerary::note_held_up(bool by_thing) noexcept {
+  is_held_up = by_thing;
+  if (by_thing) fruitless = 0;
 }
 
 bool Itinerary::waits_too_long(std::int64_t gap) noexcept {

@@ -59,8 +59,8 @@ struct Itinerary {
   void begin(const Via* mission_points, std::int32_t point_count, ViaPolicy mission_policy) noexcept;
   /// Forgets all reasons to give up.
   void try_anew() noexcept;
-  /// A thing that moves kept the vehicle from going on, or pushed it; or a plan leads on.
-  void note_held_up(bool is) noexcept;
+  /// True: something that moves keeps the vehicle from going on, or pushed it away. False: a plan leads on.
+  void note_held_up(bool by_thing) noexcept;
   /// Counts the time for which the vehicle is held up. True if that is too long.
   bool waits_too_long(std::int64_t gap) noexcept;
   void park(FlightReason why) noexcept;

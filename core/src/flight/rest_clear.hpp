@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Until when the place where the committed plan ends is clear of all that things that move may do, and of fences for
-// a while. Each measurement and
-// each commit makes the answer old: it is proven anew at the next tick, from a part of the tick's work.
+// Until when the place where the committed plan ends is clear of all that things that move may do, and of fences for a
+// while. A measurement or a commit makes the answer old: the next tick begins to prove it anew, with a part of its
+// work.
 #ifndef TERN_FLIGHT_REST_CLEAR_HPP
 #define TERN_FLIGHT_REST_CLEAR_HPP
 

@@ -20,8 +20,9 @@ constexpr double kReach = 1.25;
 /// lattice.
 constexpr double kRelief = 0.6125;
 
-/// Pixels along an edge of a face, times scan_pixel; and the most pixels.
+/// Pixels along an edge of a face, times scan_pixel.
 constexpr double kScanWidth = 2.5;
+/// The most pixels along an edge of a face.
 constexpr std::int32_t kMaxFacePixels = 4096;
 
 /// The view of face f looks along axis f / 2, in its positive direction if f is even. The image's axes are the next two

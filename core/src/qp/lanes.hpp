@@ -6,11 +6,12 @@
 #ifndef TERN_QP_LANES_HPP
 #define TERN_QP_LANES_HPP
 
+#include "base/vectors.hpp"
+
 namespace tern::qp {
 
-/// A pair for targets without such registers. There, compilers keep vector types in memory, and copy them at each step.
-/// It copies number by number: as a whole, it would go through memory as well.
-/// Images that are compiled for size call small functions: not these.
+/// A pair for targets without such registers. Its numbers are copied one by one, because compilers copy whole
+/// structures through memory. Its functions are always inlined, also in images that are compiled for size.
 struct __attribute__((__may_alias__)) PlainPair {
   double first, second;
 
@@ -64,14 +65,12 @@ inline void store_two(VectorPair value, double* p) {
   __builtin_memcpy(p, &value, sizeof value);
 }
 
-#if defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)
-#define TERN_VECTOR_PAIRS 1
+#if TERN_HAS_VECTORS
 using Pair = VectorPair;
 #else
-#define TERN_VECTOR_PAIRS 0
 using Pair = PlainPair;
 #endif
-constexpr bool kVectors = TERN_VECTOR_PAIRS;
+constexpr bool kVectors = TERN_HAS_VECTORS;
 
 constexpr int kPair = 2;
 /// Vectors are padded with zeros to a multiple of this, so that kernels need no tails.
@@ -90,7 +89,7 @@ inline Pair& pair(double* p) {
 }
 /// Loads two neighbours from anywhere in an array of doubles.
 inline Pair load_two(const double* p) {
-#if TERN_VECTOR_PAIRS
+#if TERN_HAS_VECTORS
   Pair value;
   __builtin_memcpy(&value, p, sizeof value);
   return value;

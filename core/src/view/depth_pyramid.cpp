@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/depth_pyramid.hpp"
 
+#include "base/vectors.hpp"
+
 namespace tern {
 namespace {
 
@@ -13,7 +15,7 @@ struct Greater {
   Depth operator()(Depth a, Depth b) const { return a < b ? b : a; }
 };
 
-#if defined(__SSE2__) || defined(__aarch64__)
+#if TERN_HAS_VECTORS
 /// Eight depths at a time, which fit a register.
 using EightDepths __attribute__((vector_size(16))) = Depth;
 constexpr std::int32_t kEight = 8;
@@ -78,6 +80,7 @@ std::int32_t DepthPyramid::close_level(const PixelBox& box) noexcept {
   const std::int32_t across = box.u1 - box.u0;
   const std::int32_t down = box.v1 - box.v0;
   const std::int32_t span = across > down ? across : down;
+  static_assert(kCloseEntries > 4 && kCloseEntries <= 8, "span >> level is 4 to 7, and reaches() loads eight entries");
   std::int32_t level = span < 4 ? 0 : 29 - __builtin_clz(static_cast<unsigned>(span));
   level += (span >> level) >= kCloseEntries ? 1 : 0;
   // Where the rectangle lies, it may touch one entry more.
@@ -98,7 +101,7 @@ Depth DepthPyramid::least_closely(const PixelBox& box) const noexcept {
 }
 
 bool DepthPyramid::reaches(const PixelBox& box, std::int32_t far) const noexcept {
-#if defined(__SSE2__) || defined(__aarch64__)
+#if TERN_HAS_VECTORS
   const std::int32_t level = close_level(box);
   if (level >= levels_ || far > kDepthUnits) return false;
   const std::ptrdiff_t stride = width(level);

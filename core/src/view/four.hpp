@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+#include "base/vectors.hpp"
+
 namespace tern {
 
 /// Four numbers for targets without such registers. There, compilers keep vector types in memory, and copy them at each
@@ -103,7 +105,7 @@ inline VectorFour decimal(VectorFourInts x) noexcept {
   return __builtin_convertvector(x, VectorFour);
 }
 
-#if defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)
+#if TERN_HAS_VECTORS
 using Four = VectorFour;
 using FourInts = VectorFourInts;
 #else

@@ -223,8 +223,8 @@ class Flight:
         require(lib.tern_flight_forget_track(self.struct, id), f"track {id}")
 
     def rest_clear_until(self) -> Optional[int]:
-        """Until when the place where the committed plan ends stays clear of all things that move, nanoseconds; None if
-        nothing comes there within an hour. Computes a proof: call it once a tick at most."""
+        """Until when the place where the committed plan ends stays clear of all things that move, and of fences for a
+        while, nanoseconds, as the last tick knew them; None if nothing comes there within an hour."""
         until = lib.tern_flight_rest_clear_until(self.struct)
         return None if until == _NEVER else until
 
