@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "flight/closing.hpp"
 #include "support/flight_room.hpp"
 #include "support/random.hpp"
@@ -169,6 +170,32 @@ TEST(FlightWindows, AChainOfKeepInsIsFlownFromLinkToLink) {
   EXPECT_TRUE(room.is_at(kBehind));
 }
 
+/// No keep-in begins any more: nothing is left to wait for.
+TEST(FlightWindows, AChainThatHasEndedIsGivenUp) {
+  Zones zones;
+  zones.add(FenceKind::kKeepIn, {{-3.0, -3.0, -3.0}, {4.0, 3.0, 5.0}}, -1.0, 5.0);
+  zones.add(FenceKind::kKeepIn, {{-3.0, -3.0, -3.0}, {4.0, 3.0, 5.0}}, 4.0, 10.0);
+  ZoneFlight room(zones);
+  EXPECT_TRUE(room.fly_to(9.5));
+  room.flight.set_goal(kBehind);
+  EXPECT_EQ(room.fly(), FlightReason::kNoProgress);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kFence);
+  EXPECT_TRUE(room.is_at(room.start));
+}
+
+/// One begins late: until then it may be flown to.
+TEST(FlightWindows, AChainThatGoesOnLaterIsWaitedFor) {
+  Zones zones;
+  zones.add(FenceKind::kKeepIn, {{-3.0, -3.0, -3.0}, {4.0, 3.0, 5.0}}, -1.0, 200.0);
+  zones.add(FenceKind::kKeepIn, {{2.0, -3.0, -3.0}, {12.0, 3.0, 5.0}}, 90.0, 1000.0);
+  ZoneFlight room(zones);
+  room.flight.set_goal(kBehind);
+  EXPECT_TRUE(room.fly_to(89.0));
+  EXPECT_EQ(room.report.reason, FlightReason::kNone);
+  EXPECT_TRUE(room.fly_to(110.0));
+  EXPECT_TRUE(room.is_at(kBehind));
+}
+
 TEST(FlightWindows, AClockThatIsSetMovesThem) {
   Zones zones;
   zones.add(FenceKind::kKeepOut, kWall, 1000.0, 1010.0);
@@ -221,10 +248,13 @@ TEST(FlightWindows, WaysOutLeadThroughEachFace) {
   ZoneFlight room(zones);
   const FlightFacts& facts = room.state().facts;
   const Vec3 ways[4] = {{2.0, 0.125, 1.125}, {0.125, -3.0, 1.125}, {-5.0, 0.125, 1.125}, {0.125, 7.0, 1.125}};
+  Work work{1000};
+  const Operations given = work.operations();
   for (int n = 0; n < 4; ++n) {
-    EXPECT_LT(length(way_out_of(facts, facts.fences[0], room.start, n) - ways[n]), 1e-9) << n;
-    EXPECT_LT(length(way_out_of(facts, facts.fences[0], room.start, n + 6) - ways[n]), 1e-9) << n;
+    EXPECT_LT(length(way_out_of(facts, facts.fences[0], room.start, n, work) - ways[n]), 1e-9) << n;
+    EXPECT_LT(length(way_out_of(facts, facts.fences[0], room.start, n + 6, work) - ways[n]), 1e-9) << n;
   }
+  EXPECT_GE(given - work.operations(), 8 * 4 * ops::kDot * 36) << "faces by faces";
 }
 
 /// A vehicle on its way is in no zone that holds, whatever opens and closes; at rest it leaves in time.

@@ -14,6 +14,16 @@ namespace {
 /// How many voxels beyond the radius a solid voxel is sought.
 constexpr double kBeyondRadius = 2.0;
 
+/// True if a keep-in for a while will begin.
+bool is_keep_in_to_come(const FlightFacts& flight) {
+  for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
+    const Fence& fence = flight.fences[k];
+    if (fence.kind != FenceKind::kKeepIn || !is_timed(fence)) continue;
+    if (seconds_between(flight.time, fence.from) + fence.clock_error > 0.0) return true;
+  }
+  return false;
+}
+
 /// The distance of a coordinate from a voxel's extent along an axis.
 double gap(double at, std::int32_t index, double cell) {
   return larger(0.0, larger(index * cell - at, at - (index + 1) * cell));
@@ -71,7 +81,7 @@ bool visit_columns(const Grid& grid, const Vec3& place, Visit visit) {
 
 }  // namespace
 
-bool is_by_track(Status status) noexcept {
+bool is_by_time(Status status) noexcept {
   return status == Status::kStartInContact || status == Status::kGoalCovered || status == Status::kNoClearTime ||
          status == Status::kFloodFull || status == Status::kSeparationsFull || status == Status::kBudgetTracks;
 }
@@ -93,6 +103,15 @@ NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double most) noe
     }
   }
   return best;
+}
+
+bool Blockage::is_temporary(const FlightFacts& flight, Work& work) const noexcept {
+  if (by != BlockedBy::kFence) return by == BlockedBy::kTrack;
+  const Fence& shut = flight.fences[fence];
+  if (!is_timed(shut)) return false;
+  if (shut.kind == FenceKind::kKeepOut) return seconds_between(flight.time, shut.until) + shut.clock_error > 0.0;
+  work.spend(ops::kTurn * flight.spec.fence_count);
+  return is_keep_in_to_come(flight);
 }
 
 Blockage block_at(const RollingMap& map, const Voxel& voxel) noexcept {
@@ -175,7 +194,7 @@ void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Rep
   if (!safe.bound()) return;
   if (is_voxel() && safe.obstacle(safe.voxel_of(safe.to_local(at)))) return;
   *this = kNoBlockage;
-  if (is_by_track(found.status)) {
+  if (is_by_time(found.status)) {
     *this = {found.fence == kNoFence ? BlockedBy::kTrack : BlockedBy::kFence, aim.place, found.fence};
   }
   if (found.status == Status::kGoalFenced) *this = {BlockedBy::kFence, aim.place, found.fence};

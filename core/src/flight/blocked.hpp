@@ -33,10 +33,9 @@ struct Blockage {
   Vec3 at;
   std::int32_t fence;  ///< its index for kFence, otherwise kNoFence
 
-  /// It will not be in the way for ever.
-  bool passes(const FlightFacts& flight) const noexcept {
-    return by == BlockedBy::kTrack || (by == BlockedBy::kFence && is_timed(flight.fences[fence]));
-  }
+  /// It goes away by itself: something that moves, a keep-out that will end, a chain of keep-ins of which one will
+  /// begin.
+  bool is_temporary(const FlightFacts& flight, Work& work) const noexcept;
   bool is_voxel() const noexcept { return by == BlockedBy::kObstacle || by == BlockedBy::kUnseen; }
   /// Notes the solid voxel of the safe or route grid that is too near to a place. Returns its distance, or more than
   /// the radius if there is none; kAnywhere while the map slides, because nothing is known of it then.
@@ -53,8 +52,8 @@ struct Blockage {
   void note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, Work& work) noexcept;
 };
 
-/// True if things that move, or fences for a while, are why there is no plan.
-bool is_by_track(Status status) noexcept;
+/// True if what moves, or a fence for a while, is why there is no plan.
+bool is_by_time(Status status) noexcept;
 
 constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
 

@@ -55,8 +55,9 @@ std::int32_t closing_fence(const FlightFacts& flight, const Vec3& place, std::in
   return kNoFence;
 }
 
-/// The face of this number has as many that are nearer, or as near and before it.
-Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number) noexcept {
+Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number,
+                Work& work) noexcept {
+  work.spend(ops::kPiece + 4 * ops::kDot * fence.count * fence.count);
   for (std::int32_t k = 0; k < fence.count; ++k) {
     const Halfspace& plane = fence.planes[k];
     const double way = way_through(flight, plane, place);
@@ -65,6 +66,7 @@ Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place
       const double its = way_through(flight, fence.planes[other], place);
       if (its < way || (!(way < its) && other < k)) ++before;
     }
+    // The face of this number has as many faces nearer than it; of equally near ones, the earlier counts as nearer.
     if (before == number % fence.count) return place + (way / length(plane.normal)) * plane.normal;
   }
   return place;

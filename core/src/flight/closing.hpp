@@ -14,9 +14,8 @@
 
 namespace tern {
 
-/// Seconds that are to be left, besides those that it takes to leave. The vehicle leaves when kLeaveSpare are left; no
-/// plan to the goal ends where less than kStaySpare are left, or the two would take turns; a way out may end where
-/// nothing is left but the time to go on.
+/// Seconds that must be left besides the time to leave. With less than kLeaveSpare, the vehicle leaves; no plan to the
+/// goal ends with less than kStaySpare, which is more, so that it does not come back at once. A way out needs none.
 constexpr double kStaySpare = 6.0;
 constexpr double kLeaveSpare = 4.0;
 
@@ -27,7 +26,8 @@ std::int32_t closing_fence(const FlightFacts& flight, const Vec3& place, std::in
 
 /// A place outside of the keep-out, straight from a place in it through its nearest face (number 0), or the one that is
 /// next nearest (number 1), and so on; after the last one, the nearest again.
-Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number) noexcept;
+Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number,
+                Work& work) noexcept;
 
 /// True if the fence is a keep-out for a while that holds at this time, or begins within `ahead` seconds.
 bool is_closed(const Fence& fence, std::int64_t time, double ahead) noexcept;

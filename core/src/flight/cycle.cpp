@@ -135,7 +135,8 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
   return true;
 }
 
-void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept {
+void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover,
+                       Work& work) noexcept {
   looks_out = lookouts.leads() && !leaves_fence;
   aim.choose_points(flight, takeover);
   if (leads_out || steps_back || looks_out || leaves_fence)
@@ -144,7 +145,7 @@ void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
   if (looks_out) aim.lead_to(lookouts.place());
   if (leads_out) aim.choose_way_out(flight);
   if (steps_back) aim.choose_step_back(flight);
-  if (leaves_fence) aim.lead_to(way_out_of(flight, flight.fences[closing], aim.start.d[0], closings / 2 - 1));
+  if (leaves_fence) aim.lead_to(way_out_of(flight, flight.fences[closing], aim.start.d[0], closings / 2 - 1, work));
   ask(flight);
 }
 

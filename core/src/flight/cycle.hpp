@@ -80,7 +80,7 @@ struct Cycle {
   bool looks_out;            ///< the plan leads to a lookout, or to a place on the way to one
   std::uint32_t question;    ///< number of the last draft that waits, or waited, for an answer
   bool cut_off;              ///< no way leads to the target, and the vehicle rests as near to it as it can
-  std::uint32_t met_things;  ///< plans in a row that failed because of things that move, or fences for a while
+  std::uint32_t met_things;  ///< plans in a row that failed because of what moves, or a fence for a while
   std::int32_t closing;      ///< the fence that is about to begin where the vehicle rests, or will; kNoFence: none
   std::uint32_t closings;    ///< cycles in a row for which there was one
   bool leaves_fence;         ///< the plan leads out of it
@@ -107,7 +107,7 @@ struct Cycle {
   /// Chooses the aim of the plan in flight, if that is still good enough. False if another one is to be chosen.
   bool follow_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
   /// Chooses another aim.
-  void choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover) noexcept;
+  void choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std::int64_t takeover, Work& work) noexcept;
   Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
   /// No route leads around what is closed: asks for one through it. False if nothing is closed.
   bool ask_through(const FlightFacts& flight) noexcept;

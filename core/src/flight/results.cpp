@@ -67,7 +67,7 @@ Progress FlightState::run_job() noexcept {
 Progress FlightState::choose_aim() noexcept {
   if (cycle.follow_aim(facts, lookouts, draft.takeover)) return Progress::kDone;
   facts.itinerary.clear_suspicion(facts);
-  cycle.choose_aim(facts, lookouts, draft.takeover);
+  cycle.choose_aim(facts, lookouts, draft.takeover, tick_work);
   return Progress::kDone;
 }
 
@@ -102,7 +102,7 @@ Progress FlightState::end_planner() noexcept {
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(facts.itinerary)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
-  if (is_by_track(found.status)) ++cycle.met_things;
+  if (is_by_time(found.status)) ++cycle.met_things;
   if (note_fault(found)) return give_up();
   if (cycle.ask_through(facts)) return;
   const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, found, draft.takeover)
@@ -222,8 +222,8 @@ void FlightState::fail() noexcept {
 void FlightState::give_up() noexcept {
   cycle.leave();
   evasion.leave();
-  // What moves will be elsewhere soon, and a fence for a while ends: there is no reason to look around, or to give up.
-  const bool is_by_thing = block.passes(facts) || cycle.gave_way;
+  // What moves will be elsewhere soon, and a fence may end or begin: no reason to look around, or to give up.
+  const bool is_by_thing = block.is_temporary(facts, tick_work) || cycle.gave_way;
   if (is_by_thing && block.by != BlockedBy::kFence && facts.rests()) facts.itinerary.note_held_up(true);
   if (!facts.rests() || facts.itinerary.parked || is_by_thing) return;
   lookouts.note_failure(facts);
@@ -236,7 +236,8 @@ void FlightState::give_up() noexcept {
   const bool had_turned = search.turned;
   const FlightReason why = search.after_failed_cycle(facts, cycle.hemmed_in, cycle.cut_off, nose);
   if (why == FlightReason::kNoProgress && !had_turned && lookouts.searches_again(facts)) return;
-  if (why != FlightReason::kNone && !is_by_track(report.plan)) park(why);
+  const bool is_for_ever = block.by == BlockedBy::kFence || !is_by_time(report.plan);
+  if (why != FlightReason::kNone && is_for_ever) park(why);
 }
 
 /// Why the vehicle does not land, if that is why it rests.
