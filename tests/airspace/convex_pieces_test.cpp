@@ -250,7 +250,7 @@ TEST(ConvexPieces, RefusesWhatIsTooFarOrTooMuch) {
   EXPECT_NO_THROW(tern_host::convex_pieces({many, {{{0, 0}, {9, 0}, {9, 9}}, 0, true}}, 1, even_odd));
 }
 
-/// Teeth of which each level passes all: the most work for so many corners.
+/// Teeth of which each level passes all: the most work for so many corners. Each place in them is in one piece.
 TEST(ConvexPieces, ThousandsOfTeethAreCut) {
   tern_test::Random random(4410);
   Outline comb{{}, 0};
@@ -261,14 +261,22 @@ TEST(ConvexPieces, ThousandsOfTeethAreCut) {
   }
   comb.corners.push_back({2000000 * teeth, 200000000});
   comb.corners.push_back({-1, 200000000});
+  const std::vector<ConvexPiece> cut = tern_host::convex_pieces({comb}, 1, even_odd);
   double sum = 0.0;
-  for (const ConvexPiece& piece : tern_host::convex_pieces({comb}, 1, even_odd)) sum += piece.area;
+  for (const ConvexPiece& piece : cut) sum += piece.area;
   double wanted = 0.0;
   for (std::size_t i = 0; i < comb.corners.size(); ++i) {
     const Corner &a = comb.corners[i], &b = comb.corners[(i + 1) % comb.corners.size()];
     wanted += 0.5 * tern_host::kStep * tern_host::kStep * static_cast<double>(a.x * b.y - b.x * a.y);
   }
   EXPECT_NEAR(sum, wanted, 1e-6 * wanted);
+  for (int i = 0; i < tern_test::scaled(300); ++i) {
+    const Corner among{std::llround(random.real(0.0, 2e6 * static_cast<double>(teeth))),
+                       std::llround(random.real(-1.1e8, 2.1e8))};
+    expect_same({comb}, 1, even_odd, cut, among);
+    expect_same({comb}, 1, even_odd, cut, random_point(random, {comb}, 200000000));
+    if (HasFatalFailure()) return;
+  }
 }
 
 }  // namespace

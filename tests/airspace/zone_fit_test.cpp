@@ -12,6 +12,7 @@
 #include "airspace/zone_case.hpp"
 #include "host/airspace/terrain_grid.hpp"
 #include "host/text_records.hpp"
+#include "support/own_folder.hpp"
 
 namespace {
 
@@ -283,7 +284,8 @@ TEST(TerrainGrid, RefusesOtherFiles) {
 
 TEST(ZoneHeights, TakeTheGeoidFromAFile) {
   // 45 degrees between places; every place as high as its row from the north: 10, 20 ... m.
-  std::ofstream file("rows.pgm", std::ios::binary);
+  const std::string& folder = tern_test::own_folder();
+  std::ofstream file(folder + "rows.pgm", std::ios::binary);
   file << "P5\n# Geoid file in PGM format for the GeographicLib::Geoid class\n# Origin 90N 0E\n# Offset 0\n# Scale "
           "0.01\n8 5\n65535\n";
   for (int row = 0; row < 5; ++row) {
@@ -294,19 +296,19 @@ TEST(ZoneHeights, TakeTheGeoidFromAFile) {
   }
   file.close();
   tern_host::HeightSources sources;
-  sources.geoid_file = "rows.pgm";
+  sources.geoid_file = folder + "rows.pgm";
   ZoneCase c = square_case(ZoneKind::kKeepOut, sources);
   c.zone.upper = tern_host::ZoneHeight{450.0, HeightReference::kSeaLevel};
   const FittedZone fitted = tern_host::fit_zone(c.zone, c.heights, c.settings);
-  const double exact = GeographicLib::Geoid("rows", ".")(47.0, 8.0);
+  const double exact = GeographicLib::Geoid("rows", folder)(47.0, 8.0);
   EXPECT_NEAR(exact, 19.6, 0.5);
   const double top = heights_of(fitted.fences[0]).second;
   EXPECT_GE(top, 50.0 + exact);
   EXPECT_LE(top, 50.0 + exact + 0.02);
   EXPECT_LE(fitted.height_off, 0.04);
-  sources.geoid_file = "missing.pgm";
+  sources.geoid_file = folder + "missing.pgm";
   EXPECT_THROW(square_case(ZoneKind::kKeepOut, sources), std::invalid_argument);
-  sources.geoid_file = "rows.txt";
+  sources.geoid_file = folder + "rows.txt";
   EXPECT_THROW(square_case(ZoneKind::kKeepOut, sources), std::invalid_argument);
 }
 
