@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/flight/full_knowledge.hpp"
+#include "host/track_record.hpp"
 
 namespace tern_host {
 namespace {
@@ -43,6 +44,18 @@ class VoxelGaps {
 Vec3 center_of(const tern::Voxel& v, const tern::GridSpec& grid) {
   return {grid.origin.x + grid.cell * (v.x + 0.5), grid.origin.y + grid.cell * (v.y + 0.5),
           grid.origin.z + grid.cell * (v.z + 0.5)};
+}
+
+struct HoldingTimes {
+  std::int64_t from;
+  std::int64_t until;
+};
+
+/// Of a fence for a while, ns: the error of its clock makes a keep-out longer and a keep-in shorter.
+HoldingTimes holding_times(const tern::Fence& fence) {
+  const std::int64_t error = nanoseconds(fence.clock_error);
+  const std::int64_t longer = fence.kind == tern::FenceKind::kKeepOut ? error : -error;
+  return {fence.from - longer, fence.until + longer};
 }
 
 }  // namespace
@@ -89,16 +102,21 @@ double Rooms::from_fences(const Vec3& p, std::int64_t t, std::int64_t& change) c
   for (const FenceRecord& record : world_.fences) {
     const tern::Fence& fence = record.fence;
     const bool keeps_out = fence.kind == tern::FenceKind::kKeepOut;
-    const bool is_timed = tern::is_timed(fence);
-    const bool is_link = is_timed && !keeps_out;
-    const auto error = static_cast<std::int64_t>(1e9 * fence.clock_error);
-    const std::int64_t from = fence.from - (keeps_out ? error : -error);
-    const std::int64_t until = fence.until + (keeps_out ? error : -error);
-    for (const std::int64_t at : {from, until}) change = is_timed && at > t ? std::min(change, at) : change;
+    const bool is_link = is_timed(fence) && !keeps_out;
     has_chain = has_chain || is_link;
-    if (is_timed && (t < from || t > until)) continue;
+    if (is_timed(fence)) {
+      const HoldingTimes holds = holding_times(fence);
+      for (const std::int64_t at : {holds.from, holds.until}) {
+        if (at > t) change = std::min(change, at);
+      }
+      if (t < holds.from || t > holds.until) continue;
+    }
     const double gap = fence_gap(record, p) - (keeps_out ? radius_ : 0.0);
-    is_link ? in_chain = std::max(in_chain, gap) : room = std::min(room, gap);
+    if (is_link) {
+      in_chain = std::max(in_chain, gap);
+    } else {
+      room = std::min(room, gap);
+    }
   }
   return has_chain ? std::min(room, in_chain) : room;
 }

@@ -31,9 +31,8 @@ class Rooms {
   double from_solid(const tern::Vec3& p, const LeaveOut& leave_out = {}) const;
   /// From the window's faces alone.
   double from_faces(const tern::Vec3& p) const;
-  /// From where the fences let the centre be; keep-outs are left alone by the radius.
-  /// Of fences that hold at this time. `change` becomes the next time at which a keep-out begins or a keep-in ends, if
-  /// that is sooner.
+  /// From where the fences that hold at time t let the centre be; it keeps the radius from keep-outs. `change` becomes
+  /// the next time at which one of them begins or ends, if that is sooner.
   double from_fences(const tern::Vec3& p, std::int64_t t, std::int64_t& change) const;
   /// From the true world, for a body that is off the command by the tracking error.
   double from_world(const tern::Vec3& p) const;
