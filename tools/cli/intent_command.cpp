@@ -44,8 +44,11 @@ void check_options(IntentOptions& options) {
   const int given =
       (options.plan.empty() ? 0 : 1) + (options.scenario.empty() ? 0 : 1) + (options.operators.empty() ? 0 : 1);
   if (given != 1) throw std::runtime_error("give a PLAN, --scenario or --operators, and one of them alone");
-  if (options.scenario.empty() && !(options.plan_json.empty() && options.overrides.empty())) {
+  if (!options.plan.empty() && !(options.plan_json.empty() && options.overrides.empty())) {
     throw std::runtime_error("--plan and --set need --scenario: a PLAN is made already");
+  }
+  if (!options.operators.empty() && !(options.plan_json.empty() && options.json.empty())) {
+    throw std::runtime_error("--operators writes no files: leave out --json and --plan");
   }
   const auto epoch = tern_host::parse_instant(options.epoch);
   if (!epoch) throw std::runtime_error("--epoch must be like 2026-03-01T09:30:00Z, with a time zone");
@@ -120,8 +123,11 @@ int show_scenario(const IntentOptions& options, const tern_host::Scenario& scena
 int show_operators(const IntentOptions& options, const tern_host::LocalFrame& frame) {
   constexpr int kRounds = 10;
   tern_host::IntentStore store(frame);
-  for (const tern_host::UtmEntity& entity : read_others(options.others))
-    store.put(entity, key_of(store.relevant(entity)));
+  for (tern_host::UtmEntity& entity : read_others(options.others)) {
+    entity.ovn.clear();  // it is new to this store
+    const bool is_new = store.put(entity, key_of(store.relevant(entity))).accepted;
+    if (!is_new) throw std::runtime_error("--others: " + entity.id + " is there twice");
+  }
   std::vector<tern_host::IntentOperator> operators;
   for (const std::string& file : options.operators) {
     tern_host::UtmEntity like = options.intent;

@@ -50,7 +50,7 @@ void add_yaw(PlanResult& result) {
   if (result.yaw_status == tern::Status::kOk) result.yaw = std::move(plan);
 }
 
-/// Plans that are too fast for a chain are made again, each with four fifths of the speed before: 0.13 of it in the end.
+/// Plans that are too fast for a chain are made again, each with four fifths of the speed before: 0.13 in the end.
 constexpr int kSlower = 9;
 constexpr double kSlowerBy = 0.8;
 
