@@ -57,7 +57,7 @@ struct FenceTimes {
   Rational tolerance;  ///< m
 };
 
-/// Likewise for these.
+/// While a fence holds, the curve keeps out of it or in it. The way need not rest at its end.
 void prove_windows(const TimedWay& way, const FenceTimes& demand, Claims& claims);
 
 /// The plan in time.

@@ -3,6 +3,11 @@
 #include "verify/proofs.hpp"
 
 namespace tern_verify {
+namespace {
+
+const Rational kGranted = decimal(2, 9);  ///< m: what docs/fences.md grants a plan
+
+}  // namespace
 
 Subject::Subject(const Problem& asked, const Plan& claimed)
     : problem(asked),
@@ -34,7 +39,7 @@ Claims prove(const Problem& problem, const Plan& plan) {
   prove_vias(subject, claims);
   prove_boundary(subject, claims);
   prove_fences(subject, claims);
-  prove_windows(way_of(subject), {problem.fences, problem.boundary, problem.start_time, decimal(2, 9)}, claims);
+  prove_windows(way_of(subject), {problem.fences, problem.boundary, problem.start_time, kGranted}, claims);
   prove_clearance(subject, claims);
   prove_tracks(subject, claims);
   prove_bounds(plan.segments, problem.bounds, claims);
