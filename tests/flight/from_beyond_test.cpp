@@ -17,9 +17,9 @@ namespace {
 using namespace tern;
 using tern_test::FlightRoom;
 
-constexpr double kBall = 0.3;
-constexpr double kError = 0.05;
-constexpr FromBeyond kComer{3.2, 0.1, 4.0, kBall + kError};
+constexpr double kComerBall = 0.3;
+constexpr double kComerError = 0.05;
+constexpr FromBeyond kComer{3.2, 0.1, 4.0, kComerBall + kComerError};
 
 /// What a ball did that came from beyond.
 struct Met {
@@ -44,8 +44,8 @@ Met meet(const Limits& limits, double angle, double rise, int wait) {
       track.id = 1;
       track.measured = room.time;
       track.position = ball;
-      track.radius = kBall;
-      track.error = kError;
+      track.radius = kComerBall;
+      track.error = kComerError;
       track.error_growth = 1000.0;
       track.reach = kComer.speed;
       EXPECT_EQ(room.flight.update_track(track), Status::kOk);
@@ -56,7 +56,7 @@ Met meet(const Limits& limits, double angle, double rise, int wait) {
     const Vec3 way = now.position - ball;
     const double far = length(way);
     const bool moves = length(now.velocity) > 1e-6;
-    met.in_motion = met.in_motion || (moves && far < FlightRoom::kRadius + kBall);
+    met.in_motion = met.in_motion || (moves && far < FlightRoom::kRadius + kComerBall);
     ball = ball + (std::fmin(1.0, 1e-9 * static_cast<double>(spec.tick) * kComer.speed / std::fmax(far, 1e-9))) * way;
   }
   return met;

@@ -3,16 +3,16 @@
 //
 // Flights among fences for a while: across zones that open and close, out of one that is about to begin, and what a
 // vehicle that cannot leave does.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
-#include <vector>
 
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "flight/closing.hpp"
+#include "flight/zone_flight.hpp"
 #include "support/flight_room.hpp"
 #include "support/random.hpp"
 #include "tern/fence.hpp"
@@ -20,76 +20,9 @@
 namespace {
 
 using namespace tern;
-using tern_test::FlightRoom;
-
-constexpr std::int64_t kSecond = 1000000000;
-
-/// Fences of boxes, which stay where they are.
-class Zones {
- public:
-  void add(FenceKind kind, const Box& box, double from, double until, double clock_error = 0.0) {
-    planes_.emplace_back();
-    box_planes(box, planes_.back().of);
-    boxes.push_back(box);
-    list.push_back({planes_.back().of, kBoxPlanes, kind, static_cast<std::int64_t>(from * 1e9),
-                    static_cast<std::int64_t>(until * 1e9), clock_error});
-  }
-  std::vector<Fence> list;
-  std::vector<Box> boxes;
-
- private:
-  struct Planes {
-    Halfspace of[kBoxPlanes];
-  };
-  std::deque<Planes> planes_;
-};
-
-double gap(const Box& box, const Vec3& p) {
-  double square = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    const double off = std::max({axis(box.lower, a) - axis(p, a), axis(p, a) - axis(box.upper, a), 0.0});
-    square += off * off;
-  }
-  return std::sqrt(square);
-}
-
-/// A flight in the room whose commands are held against the zones at each tick.
-struct ZoneFlight : FlightRoom {
-  explicit ZoneFlight(const Zones& around) : FlightRoom(with(around)), zones(around) {}
-
-  static FlightSpec with(const Zones& zones) {
-    FlightSpec how = flight_spec();
-    how.fences = zones.list.data();
-    how.fence_count = static_cast<std::int32_t>(zones.list.size());
-    return how;
-  }
-  /// The fence that the vehicle breaks where it is; kNoFence if it breaks none.
-  std::int32_t broken() const {
-    const Vec3 p = position();
-    bool has_chain = false;
-    bool is_in = false;
-    for (std::size_t k = 0; k < zones.list.size(); ++k) {
-      const Fence& fence = zones.list[k];
-      const bool holds = !is_timed(fence) || (time > fence.from && time < fence.until);
-      const bool keeps_out = fence.kind == FenceKind::kKeepOut;
-      if (keeps_out && holds && gap(zones.boxes[k], p) < kRadius - 1e-6) return static_cast<std::int32_t>(k);
-      has_chain = has_chain || (!keeps_out && is_timed(fence));
-      is_in = is_in || (!keeps_out && holds && gap(zones.boxes[k], p) < 1e-6);
-    }
-    return has_chain && !is_in ? 0 : kNoFence;
-  }
-  /// Ticks to a time; false as soon as a fence is broken.
-  bool fly_to(double seconds) {
-    while (time < static_cast<std::int64_t>(seconds * 1e9)) {
-      tick();
-      if (broken() != kNoFence) return false;
-    }
-    return true;
-  }
-  bool is_at(const Vec3& place) const { return length(position() - place) < 1e-3; }
-
-  const Zones& zones;
-};
+using tern_test::gap;
+using tern_test::ZoneFlight;
+using tern_test::Zones;
 
 const Box kWall{{3.0, -20.0, -3.0}, {5.0, 20.0, 5.0}};
 const Vec3 kBehind{8.125, 0.125, 1.125};
@@ -140,7 +73,7 @@ TEST(FlightWindows, AVehicleLeavesAPlaceBeforeItIsClosedAndComesBack) {
   room.flight.set_goal(kBehind);
   EXPECT_TRUE(room.fly_to(10.0));
   EXPECT_EQ(room.report.reason, FlightReason::kArrived);
-  EXPECT_EQ(room.flight.rest_clear_until(), 30 * kSecond);
+  EXPECT_EQ(room.flight.rest_clear_until(), 30000000000);
   EXPECT_TRUE(room.fly_to(35.0));
   EXPECT_FALSE(room.is_at(kBehind));
   EXPECT_EQ(room.flight.rest_clear_until(), INT64_MAX);
@@ -201,7 +134,7 @@ TEST(FlightWindows, AClockThatIsSetMovesThem) {
   zones.add(FenceKind::kKeepOut, kWall, 1000.0, 1010.0);
   ZoneFlight room(zones);
   room.flight.set_goal(kBehind);
-  room.time = 1002 * kSecond;
+  room.time = 1002000000000;
   EXPECT_EQ(room.flight.set_clock(room.time), Status::kOk);
   EXPECT_TRUE(room.fly_to(1009.0));
   EXPECT_LT(room.position().x, 3.0);
@@ -241,22 +174,6 @@ TEST(FlightWindows, AGoalMayBeClosedForAWhile) {
   EXPECT_TRUE(room.is_at(kBehind));
 }
 
-/// The nearest face first, and each face once in a turn.
-TEST(FlightWindows, WaysOutLeadThroughEachFace) {
-  Zones zones;
-  zones.add(FenceKind::kKeepOut, {{-4.0, -2.0, -9.0}, {1.0, 6.0, 9.0}}, 30.0, 40.0);
-  ZoneFlight room(zones);
-  const FlightFacts& facts = room.state().facts;
-  const Vec3 ways[4] = {{2.0, 0.125, 1.125}, {0.125, -3.0, 1.125}, {-5.0, 0.125, 1.125}, {0.125, 7.0, 1.125}};
-  Work work{1000};
-  const Operations given = work.operations();
-  for (int n = 0; n < 4; ++n) {
-    EXPECT_LT(length(way_out_of(facts, facts.fences[0], room.start, n, work) - ways[n]), 1e-9) << n;
-    EXPECT_LT(length(way_out_of(facts, facts.fences[0], room.start, n + 6, work) - ways[n]), 1e-9) << n;
-  }
-  EXPECT_GE(given - work.operations(), 8 * 4 * ops::kDot * 36) << "faces by faces";
-}
-
 /// A vehicle on its way is in no zone that holds, whatever opens and closes; at rest it leaves in time.
 TEST(FlightWindows, RandomZonesAreNeverEnteredWhileTheyHold) {
   tern_test::Random random(4401);
@@ -270,8 +187,8 @@ TEST(FlightWindows, RandomZonesAreNeverEnteredWhileTheyHold) {
       const double from = random.real(-5.0, 40.0);
       zones.add(FenceKind::kKeepOut, {at - half, at + half}, from, from + random.real(1.0, 20.0),
                 random.real(0.0, 0.3));
-      if (gap(zones.boxes.back(), {0.125, 0.125, 1.125}) < 1.0 && from < 12.0) zones.list.back().from += 30 * kSecond;
-      zones.list.back().until = std::max(zones.list.back().until, zones.list.back().from + kSecond);
+      if (gap(zones.boxes.back(), {0.125, 0.125, 1.125}) < 1.0 && from < 12.0) zones.list.back().from += 30000000000;
+      zones.list.back().until = std::max(zones.list.back().until, zones.list.back().from + std::int64_t{1000000000});
     }
     ZoneFlight room(zones);
     room.flight.set_goal({random.real(6.0, 11.0), random.real(-6.0, 6.0), 1.125});

@@ -24,8 +24,9 @@ constexpr double kLeaveSpare = 4.0;
 std::int32_t closing_fence(const FlightFacts& flight, const Vec3& place, std::int64_t rests, double spare,
                            Work& work) noexcept;
 
-/// A place outside of the keep-out, straight from a place in it through its nearest face (number 0), or the one that is
-/// next nearest (number 1), and so on; after the last one, the nearest again.
+/// A place outside of the keep-out, and of all others that hold or begin meanwhile: the quickest straight way that
+/// seems free (number 0), the next one (number 1), and so on, then the quickest again; the place itself if none seems
+/// free.
 Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number,
                 Work& work) noexcept;
 

@@ -144,7 +144,7 @@ void FlightWatch::take_commit(std::int64_t t, bool proven) {
   check_curve(fresh, t);
   note_place(t, proven);
   // Whatever alarms it raised: the true world stands still.
-  if (rooms_.readable()) check_clear(t, proven ? unchanged_until(fresh) : last + 1, last);
+  if (rooms_.readable()) check_clear(t, unchanged_until(fresh), last, proven);
   ahead_.assign(fresh.begin(), fresh.end());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   origin_ = {kNone, kNone, kNone};
@@ -221,17 +221,18 @@ std::string FlightWatch::too_near(const Vec3& p, double room) const {
 
 /// The whole way, not points of it alone: from a point, the vehicle cannot come nearer than the room there allows. A
 /// millimetre without room is flown nearly straight, and so comes nearer than its ends by less than a micrometre.
-/// Unproven space counts from `fresh` on.
-void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_t to) {
+/// Fences count from `fresh` on, since a vehicle may rest in a keep-out that has begun; so does unproven space, if the
+/// commit is said to be `proven`.
+void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_t to, bool proven) {
   for (std::int64_t t = from; t <= to && broken_.empty();) {
     ++counts_.points;
     const Sample sample = at(t);
     const Vec3& p = sample.position;
     constexpr double kFar = std::numeric_limits<double>::infinity();
     const double real = knows_world_ ? rooms_.from_world(p) : kFar;
-    const double solid = t < fresh ? kFar : rooms_.from_solid(p);
+    const double solid = t < fresh || !proven ? kFar : rooms_.from_solid(p);
     std::int64_t change = std::numeric_limits<std::int64_t>::max();
-    const double fenced = rooms_.from_fences(p, t, change);
+    const double fenced = t < fresh ? kFar : rooms_.from_fences(p, t, change);
     if (real < -kDistanceError) fail(6, too_near(p, real) + ", " + after(t, from), from);
     if (solid < -kDistanceError) fail(2, fixed(-solid, 4) + " m too near to unproven space, " + after(t, from), from);
     if (fenced < -kDistanceError) fail(2, fixed(-fenced, 4) + " m into a fence, " + after(t, from), from);

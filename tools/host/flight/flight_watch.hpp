@@ -59,7 +59,7 @@ class FlightWatch {
   void check_joints(std::int64_t t, std::int64_t end);
   void check_curve(const std::vector<TimedSample>& fresh, std::int64_t t);
   std::int64_t unchanged_until(const std::vector<TimedSample>& fresh) const;
-  void check_clear(std::int64_t from, std::int64_t fresh, std::int64_t to);
+  void check_clear(std::int64_t from, std::int64_t fresh, std::int64_t to, bool proven);
   std::string too_near(const tern::Vec3& p, double room) const;
   void check_window(std::int64_t t);
   void note_place(std::int64_t t, bool proven);
