@@ -96,9 +96,11 @@ TEST(FlightC, TakesThingsThatMove) {
   EXPECT_STREQ(tern_blocked_by_text(TERN_BLOCKED_BY_TRACK), "something that moves");
   tern_limits limits = FlightRoom::flight_spec().limits;
   const tern_flight_spec spec = FlightRoom::flight_spec();
-  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, nullptr, 0.5, &limits), kInvalid);
-  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, &spec, 0.5, nullptr), kInvalid);
-  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, &spec, 0.5, &limits), kOk);
+  tern_trajectory room;
+  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, nullptr, 0.5, &limits, &room), kInvalid);
+  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, &spec, 0.5, nullptr, &room), kInvalid);
+  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, &spec, 0.5, &limits, nullptr), kInvalid);
+  EXPECT_EQ(tern_limit_speed(3.2, 0.1, 4.0, 0.35, &spec, 0.5, &limits, &room), kOk);
   EXPECT_LT(limits.v_max.x, spec.limits.v_max.x);
 }
 

@@ -21,6 +21,11 @@ constexpr double kComerBall = 0.3;
 constexpr double kComerError = 0.05;
 constexpr FromBeyond kComer{3.2, 0.1, 4.0, kComerBall + kComerError};
 
+Status slow_down(const FromBeyond& what, const FlightSpec& spec, double clearance, Limits& limits) {
+  Trajectory room;
+  return limit_speed(what, spec, clearance, limits, room);
+}
+
 /// What a ball did that came from beyond.
 struct Met {
   bool in_motion = false;
@@ -72,7 +77,7 @@ TEST(FlightFromBeyond, NothingTouchesAVehicleThatIsSlowEnough) {
     if (k % 2 == 1) fast.j_max = {120.0, 120.0, 120.0};
     if (k % 3 == 2) fast.thrust_max = 14.0;
     Limits slow = fast;
-    ASSERT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), FlightRoom::kRadius, slow), Status::kOk);
+    ASSERT_EQ(slow_down(kComer, FlightRoom::flight_spec(), FlightRoom::kRadius, slow), Status::kOk);
     EXPECT_LT(slow.v_max.x, 0.8 * fast.v_max.x);
     EXPECT_GT(slow.v_max.x, 0.1 * fast.v_max.x);
     EXPECT_DOUBLE_EQ(slow.v_max.z / fast.v_max.z, slow.v_max.x / fast.v_max.x);
@@ -93,11 +98,11 @@ TEST(FlightFromBeyond, LeavesLimitsThatAreLowEnough) {
   Limits limits = FlightRoom::flight_spec().limits;
   FromBeyond far = kComer;
   far.range = 30.0;
-  EXPECT_EQ(limit_speed(far, FlightRoom::flight_spec(), 0.5, limits), Status::kOk);
+  EXPECT_EQ(slow_down(far, FlightRoom::flight_spec(), 0.5, limits), Status::kOk);
   EXPECT_EQ(limits.v_max.x, FlightRoom::flight_spec().limits.v_max.x);
   limits.v_horizontal = 3.0;
   limits.v_min.z = -1.0;
-  EXPECT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kOk);
+  EXPECT_EQ(slow_down(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kOk);
   EXPECT_DOUBLE_EQ(limits.v_horizontal, limits.v_max.x);
   EXPECT_DOUBLE_EQ(limits.v_min.z, -limits.v_max.x / 3.0);
 }
@@ -106,7 +111,7 @@ TEST(FlightFromBeyond, RefusesWhatNoSpeedHelpsAgainst) {
   const Limits before = FlightRoom::flight_spec().limits;
   const auto answer = [&](FromBeyond what, double clearance) {
     Limits limits = before;
-    const Status status = limit_speed(what, FlightRoom::flight_spec(), clearance, limits);
+    const Status status = slow_down(what, FlightRoom::flight_spec(), clearance, limits);
     EXPECT_EQ(limits.v_max.x, before.v_max.x);
     return status;
   };
@@ -123,11 +128,11 @@ TEST(FlightFromBeyond, RefusesWhatNoSpeedHelpsAgainst) {
   EXPECT_EQ(answer(kComer, -0.5), Status::kInvalidArgument);
   Limits limits = before;
   limits.a_max.x = 0.0;
-  EXPECT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kLimitsInvalid);
+  EXPECT_EQ(slow_down(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kLimitsInvalid);
   limits = before;
   limits.thrust_min = 2.0;
   limits.rate_max = 3.0;
-  EXPECT_EQ(limit_speed(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kInvalidArgument);
+  EXPECT_EQ(slow_down(kComer, FlightRoom::flight_spec(), 0.5, limits), Status::kInvalidArgument);
   EXPECT_EQ(answer(with(&FromBeyond::speed, std::numeric_limits<double>::quiet_NaN()), 0.5), Status::kNonFiniteInput);
 }
 

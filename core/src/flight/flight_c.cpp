@@ -42,9 +42,9 @@ void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits) {
 }
 
 std::uint8_t tern_limit_speed(double range, double delay, double speed, double size, const tern_flight_spec* spec,
-                              double clearance, tern_limits* limits) {
-  if (spec == nullptr || limits == nullptr) return kInvalid;
-  return code(tern::limit_speed({range, delay, speed, size}, *spec, clearance, *limits));
+                              double clearance, tern_limits* limits, tern_trajectory* room) {
+  if (spec == nullptr || limits == nullptr || room == nullptr) return kInvalid;
+  return code(tern::limit_speed({range, delay, speed, size}, *spec, clearance, *limits, *room));
 }
 
 std::size_t tern_flight_words(tern_voxel dims) {

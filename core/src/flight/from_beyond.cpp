@@ -52,33 +52,44 @@ Limits weakest_of(const Limits& limits) {
   return weakest;
 }
 
+/// What comes, and how the vehicle brakes for it.
+struct Approach {
+  const FromBeyond& what;
+  Limits weakest;
+  double lead, clearance;  ///< s, m
+  Trajectory& brake;       ///< memory for the one that is looked at
+};
+
 /// How far away a thing must be when it comes into range, if the vehicle has this speed and acceleration, m.
-double needed_range(const FromBeyond& what, const MotionLimits& limits, double lead, double clearance, double speed,
-                    double acceleration) {
-  Trajectory brake{};
+double needed_range(const Approach& approach, const MotionLimits& limits, double speed, double acceleration) {
+  const FromBeyond& what = approach.what;
+  Trajectory& brake = approach.brake;
+  brake.count = 0;
+  brake.origin = kZero;
   const JointState now{{kZero, {speed, 0.0, 0.0}, {acceleration, 0.0, 0.0}, kZero}};
   if (!append_sharp_stop(now, limits, brake)) return kAnywhere;
-  const double time = what.delay + lead + kSettleTime;
+  const double time = what.delay + approach.lead + kSettleTime;
   const double way = brake.segments[brake.count - 1].points[kDegree].x;
-  return clearance + what.size + what.speed * (time + duration(brake)) + speed * time + way;
+  return approach.clearance + what.size + what.speed * (time + duration(brake)) + speed * time + way;
 }
 
 /// The same for all accelerations that a vehicle below `top` m/s may have: those that it can still end in time.
-double needed_below(const FromBeyond& what, const Limits& weakest, double lead, double clearance, double top) {
-  const MotionLimits limits(weakest);
+double needed_below(const Approach& approach, double top) {
+  const MotionLimits limits(approach.weakest);
   double most = 0.0;
   for (int k = 0; k <= kAccelerations; ++k) {
-    const double acceleration = weakest.a_max.x * k / kAccelerations;
-    const double ends_in = weakest.j_max.x > 0.0 ? acceleration / weakest.j_max.x : kMinDuration;
+    const double acceleration = approach.weakest.a_max.x * k / kAccelerations;
+    const double ends_in = approach.weakest.j_max.x > 0.0 ? acceleration / approach.weakest.j_max.x : kMinDuration;
     const double speed = top - 0.5 * acceleration * ends_in;
-    if (speed >= 0.0) most = larger(most, needed_range(what, limits, lead, clearance, speed, acceleration));
+    if (speed >= 0.0) most = larger(most, needed_range(approach, limits, speed, acceleration));
   }
   return most;
 }
 
 }  // namespace
 
-Status limit_speed(const FromBeyond& what, const FlightSpec& spec, double clearance, Limits& limits) noexcept {
+Status limit_speed(const FromBeyond& what, const FlightSpec& spec, double clearance, Limits& limits,
+                   Trajectory& room) noexcept {
   if (!finite(what.range) || !finite(what.delay) || !finite(what.speed) || !finite(what.size) || !finite(clearance))
     return Status::kNonFiniteInput;
   const bool is_valid = what.range > 0.0 && what.delay >= 0.0 && what.speed >= 0.0 && what.size >= 0.0 &&
@@ -88,11 +99,9 @@ Status limit_speed(const FromBeyond& what, const FlightSpec& spec, double cleara
   if (ranges.status != Status::kOk) return ranges.status;
   // The tick that is told of the thing, and those before the brake.
   const double lead = 1e-9 * static_cast<double>((Evasion{}.ticks(spec) + 1) * spec.tick);
-  const Limits weakest = weakest_of(limits);
+  const Approach approach{what, weakest_of(limits), lead, clearance, room};
   const double top = top_speed(limits);
-  const auto fits = [&](double share) {
-    return needed_below(what, weakest, lead, clearance, share * top) <= what.range;
-  };
+  const auto fits = [&](double share) { return needed_below(approach, share * top) <= what.range; };
   if (fits(1.0)) return Status::kOk;
   if (!fits(kLeastShare)) return Status::kLimitsInvalid;
   double share = kLeastShare;
