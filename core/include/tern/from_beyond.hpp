@@ -28,8 +28,8 @@ struct FromBeyond {
 /// multiplied by the same number, 1 at most. `spec`: how the flight is flown; `clearance`: MapSpec::radius +
 /// MapSpec::tracking_margin, metres; `room`: memory for a brake, whose content is lost. kOk; or a refusal, which leaves
 /// `limits` as it was: kNonFiniteInput; kInvalidArgument (a value out of range, or a limit on body rates: a brake that
-/// exceeds it gives way to a gentler one, which is not counted here); kLimitsInvalid (the limits are out of range, or the
-/// range is so short that not even a hundredth of the speed is slow enough).
+/// exceeds it gives way to a gentler one, which is not counted here); kLimitsInvalid (the limits are out of range, or
+/// the range is so short that not even a hundredth of the speed is slow enough).
 Status limit_speed(const FromBeyond& what, const FlightSpec& spec, double clearance, Limits& limits,
                    Trajectory& room) noexcept;
 

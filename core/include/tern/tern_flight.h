@@ -156,7 +156,8 @@ typedef struct {
 void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
 /* Lowers the limits of speed until a vehicle is at rest before it meets what may come from beyond the range of a
    detector: tern::limit_speed. range: m; delay: s; speed: m/s; size: m; clearance: radius + tracking_margin of the map,
-   m; room: memory, whose content is lost. ok; non_finite_input; invalid_argument; limits_invalid if the range is too short. */
+   m; room: memory, whose content is lost. ok; non_finite_input; invalid_argument; limits_invalid if the range is too
+   short. */
 uint8_t tern_limit_speed(double range, double delay, double speed, double size, const tern_flight_spec* spec,
                          double clearance, tern_limits* limits, tern_trajectory* room);
 /* Words of 64 bits that a flight over a map of these dimensions needs; 0 if they are out of range. */
