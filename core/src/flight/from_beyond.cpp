@@ -24,7 +24,8 @@ constexpr double kLeastShare = 0.01;
 double largest_gauge(const Bounds& bounds) {
   double most = 0.0;
   for (int n = 0; n < 27; ++n) {
-    const Vec3 way{static_cast<double>(n % 3 - 1), static_cast<double>(n / 3 % 3 - 1), static_cast<double>(n / 9 - 1)};
+    const int sides[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+    const Vec3 way{1.0 * sides[0], 1.0 * sides[1], 1.0 * sides[2]};
     const double far = length(way);
     if (far > 0.0) most = larger(most, gauge(bounds, (1.0 / far) * way));
   }

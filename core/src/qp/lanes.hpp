@@ -26,28 +26,28 @@ struct __attribute__((__may_alias__)) PlainPair {
   [[gnu::always_inline]] double operator[](int k) const { return k == 0 ? first : second; }
   [[gnu::always_inline]] double& operator[](int k) { return k == 0 ? first : second; }
 };
-[[gnu::always_inline]] inline PlainPair operator+(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair operator+(const PlainPair& a, const PlainPair& b) {
   return {a.first + b.first, a.second + b.second};
 }
-[[gnu::always_inline]] inline PlainPair operator-(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair operator-(const PlainPair& a, const PlainPair& b) {
   return {a.first - b.first, a.second - b.second};
 }
-[[gnu::always_inline]] inline PlainPair operator-(PlainPair a) {
+[[gnu::always_inline]] inline PlainPair operator-(const PlainPair& a) {
   return {-a.first, -a.second};
 }
-[[gnu::always_inline]] inline PlainPair operator*(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair operator*(const PlainPair& a, const PlainPair& b) {
   return {a.first * b.first, a.second * b.second};
 }
-[[gnu::always_inline]] inline PlainPair& operator+=(PlainPair& a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair& operator+=(PlainPair& a, const PlainPair& b) {
   return a = a + b;
 }
-[[gnu::always_inline]] inline PlainPair& operator-=(PlainPair& a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair& operator-=(PlainPair& a, const PlainPair& b) {
   return a = a - b;
 }
-[[gnu::always_inline]] inline PlainPair& operator*=(PlainPair& a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair& operator*=(PlainPair& a, const PlainPair& b) {
   return a = a * b;
 }
-[[gnu::always_inline]] inline PlainPair larger_of(PlainPair a, PlainPair b) {
+[[gnu::always_inline]] inline PlainPair larger_of(const PlainPair& a, const PlainPair& b) {
   return {a.first > b.first ? a.first : b.first, a.second > b.second ? a.second : b.second};
 }
 
@@ -57,7 +57,7 @@ inline VectorPair larger_of(VectorPair a, VectorPair b) {
 }
 
 /// Stores two neighbours anywhere in an array of doubles.
-[[gnu::always_inline]] inline void store_two(PlainPair value, double* p) {
+[[gnu::always_inline]] inline void store_two(const PlainPair& value, double* p) {
   p[0] = value.first;
   p[1] = value.second;
 }

@@ -21,6 +21,7 @@ struct PlainFour {
   PlainFour(T x) noexcept : lanes{x, x, x, x} {}
   PlainFour(T a, T b, T c, T d) noexcept : lanes{a, b, c, d} {}
   PlainFour(const PlainFour& x) noexcept : lanes{x[0], x[1], x[2], x[3]} {}
+  // It may copy from itself. NOLINTNEXTLINE(bugprone-unhandled-self-assignment)
   PlainFour& operator=(const PlainFour& x) noexcept {
     for (int k = 0; k < 4; ++k) lanes[k] = x.lanes[k];
     return *this;
