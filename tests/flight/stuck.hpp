@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A vehicle at rest before voxels that nobody saw.
-#pragma once
+#ifndef TERN_TESTS_FLIGHT_STUCK_HPP
+#define TERN_TESTS_FLIGHT_STUCK_HPP
 
 #include <gtest/gtest.h>
 
@@ -55,3 +56,5 @@ struct Stuck : FlightRoom {
 };
 
 }  // namespace tern_test
+
+#endif

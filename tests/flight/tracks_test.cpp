@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Flights among things that move. Contacts are found by samples of the commands, from the things' true places.
+
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "flight/balls.hpp"
 #include "support/flight_room.hpp"
 #include "support/random.hpp"
 
@@ -16,43 +17,10 @@ namespace {
 
 using namespace tern;
 using tern_test::FlightRoom;
-
-constexpr double kBall = 0.3;
-
-/// A ball that was measured here, with an error of 3 cm and 0.1 m/s.
-Track seen(std::uint32_t id, const Vec3& position, const Vec3& velocity, std::int64_t t, double acceleration) {
-  Track track;
-  track.id = id;
-  track.measured = t;
-  track.position = position;
-  track.velocity = velocity;
-  track.radius = kBall;
-  track.error = 0.03;
-  track.error_speed = 0.1;
-  track.error_growth = acceleration;
-  return track;
-}
-
-/// A ball that flies towards the vehicle as well as its bounds allow, from where it keeps its velocity.
-struct Hunter {
-  Vec3 position;
-  Vec3 velocity{};
-  double acceleration;
-  double top;
-  bool hunts = true;
-
-  void move(const Vec3& prey, double time) {
-    const Vec3 way = prey - position;
-    const double far = length(way);
-    const Vec3 wanted = velocity + (time * acceleration / std::fmax(far, 1e-9)) * way;
-    const double fast = length(wanted);
-    const Vec3 next = fast > top ? (top / fast) * wanted : wanted;
-    const bool can = length(next - velocity) <= time * acceleration * (1.0 + 1e-9);
-    const Vec3 after = can && hunts ? next : velocity;
-    position = position + (0.5 * time) * (velocity + after);
-    velocity = after;
-  }
-};
+using tern_test::Hunter;
+using tern_test::kBallRadius;
+using tern_test::seen;
+using tern_test::TrackRoom;
 
 /// What a flight among hunters came to.
 struct Hunt {
@@ -85,7 +53,8 @@ Hunt fly_among(std::vector<Hunter>& hunters, tern_test::Random& random, int tick
       const Command command = room.flight.command(before + part_of_tick * room.spec.tick / 5);
       bool touches = false;
       for (const Hunter& hunter : hunters) {
-        touches = touches || distance(hunter.position, command.sample.position) < FlightRoom::kRadius + kBall - 1e-6;
+        touches =
+            touches || distance(hunter.position, command.sample.position) < FlightRoom::kRadius + kBallRadius - 1e-6;
       }
       const bool moves = length(command.sample.velocity) > 1e-3;
       if (touches && !touched) ++(moves ? hunt.in_motion : hunt.at_rest);
@@ -135,17 +104,6 @@ TEST(FlightTracks, PassersByAreFlownAround) {
   EXPECT_LE(touched_at_rest, 1 + flights / 20);  // not promised
 }
 
-/// On the way to 12 m along x, at nearly 3 m/s.
-struct TrackRoom : FlightRoom {
-  TrackRoom() {
-    flight.set_goal({12.125, 0.125, 1.125});
-    EXPECT_TRUE(tick_until([&] { return speed() > 2.9; }, 400));
-  }
-  Track ball(double ahead, double aside) const {
-    return seen(7, position() + Vec3{ahead, aside, 0.0}, {}, time - spec.tick, 0.0);
-  }
-};
-
 // The ball is noticed 3 m ahead. A brake from 3 m/s at 6 m/s^2 takes 0.75 m, and its ramps some more.
 TEST(FlightTracks, AThingThatNobodyKnewOfIsAThreat) {
   TrackRoom room;
@@ -159,7 +117,7 @@ TEST(FlightTracks, AThingThatNobodyKnewOfIsAThreat) {
     nearest = std::fmin(nearest, distance(room.position(), ball.position));
     return room.report.reason == FlightReason::kArrived;
   }));
-  EXPECT_GE(nearest, FlightRoom::kRadius + kBall);
+  EXPECT_GE(nearest, FlightRoom::kRadius + kBallRadius);
 }
 
 // Nothing can be done about a ball 0.9 m ahead, but the vehicle brakes, and says when and how fast it meets the tube.
@@ -240,61 +198,6 @@ TEST(FlightTracks, SaysSoLaterIfTheProofTakesLong) {
   EXPECT_NEAR(1e-9 * static_cast<double>(until[0]), 3.7, 0.4);
   EXPECT_NEAR(1e-9 * static_cast<double>(until[1]), 1e-9 * static_cast<double>(until[0]),
               kRestHorizon / (1 << kTrackDepth));
-}
-
-// A ball that stays where the vehicle has to pass, or comes after it for ever: it gives up after a minute, and says
-// why. A new goal makes it try again.
-TEST(FlightTracks, GivesUpWhereThingsHoldItUpForAMinute) {
-  FlightRoom room;
-  const Vec3 goal{6.125, 0.125, 1.125};
-  room.flight.set_goal(goal);
-  Track track = seen(1, goal, {}, 0, 0.0);
-  track.error_speed = 0.0;
-  EXPECT_EQ(room.flight.update_track(track), Status::kOk);
-  EXPECT_EQ(room.fly(6500), FlightReason::kHeldUp);
-  EXPECT_GT(room.time, kPatience);
-  EXPECT_EQ(room.report.blocked_by, BlockedBy::kTrack);
-  EXPECT_EQ(room.flight.forget_track(1), Status::kOk);
-  room.flight.set_goal(goal);
-  EXPECT_EQ(room.fly(), FlightReason::kArrived);
-}
-
-// Hunters from four sides pin the vehicle or push it about: the flight ends.
-TEST(FlightTracks, GivesUpWhereItIsPushedOrPinnedForEver) {
-  FlightRoom room;
-  room.flight.set_goal({12.125, 0.125, 1.125});
-  Hunter hunters[4];
-  for (int k = 0; k < 4; ++k) {
-    const double far = k < 2 ? 3.0 : -3.0;
-    hunters[k] = {{k % 2 == 0 ? far : 0.0, k % 2 == 0 ? 0.0 : far, 1.0}, {}, 6.0, 3.0};
-  }
-  int ticks = 0;
-  for (; ticks < 10000 && !room.state().facts.itinerary.parked; ++ticks) {
-    for (std::uint32_t id = 0; id < 4 && ticks % 10 == 0; ++id) {
-      Track track = seen(id, hunters[id].position, hunters[id].velocity, room.time, hunters[id].acceleration);
-      track.reach = hunters[id].top;
-      EXPECT_EQ(room.flight.update_track(track), Status::kOk);
-    }
-    room.tick();
-    for (Hunter& hunter : hunters) hunter.move(room.position(), 1e-9 * static_cast<double>(room.spec.tick));
-  }
-  EXPECT_EQ(room.report.reason, FlightReason::kHeldUp);
-}
-
-// A ball stays at the goal: the vehicle waits before it, does not give up, and arrives once the ball is gone.
-TEST(FlightTracks, WaitsForAThingAtItsGoal) {
-  FlightRoom room;
-  const Vec3 goal{6.125, 0.125, 1.125};
-  room.flight.set_goal(goal);
-  Track track = seen(1, goal, {}, 0, 0.0);
-  track.error_speed = 0.0;
-  EXPECT_EQ(room.flight.update_track(track), Status::kOk);
-  for (int k = 0; k < 1500; ++k) room.tick();
-  EXPECT_EQ(room.report.reason, FlightReason::kNone);
-  EXPECT_EQ(room.report.blocked_by, BlockedBy::kTrack);
-  EXPECT_GE(distance(room.position(), goal), FlightRoom::kRadius + kBall);
-  EXPECT_EQ(room.flight.forget_track(1), Status::kOk);
-  EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 
 TEST(FlightTracks, RefusesWhatItCannotUse) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A flight among boxes that are fences, for a while or always.
-#pragma once
+#ifndef TERN_TESTS_FLIGHT_ZONE_FLIGHT_HPP
+#define TERN_TESTS_FLIGHT_ZONE_FLIGHT_HPP
 
 #include <gtest/gtest.h>
 
@@ -89,3 +90,5 @@ struct ZoneFlight : FlightRoom {
 };
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the reader of scenarios says of a text.
-#pragma once
+#ifndef TERN_TESTS_HOST_SCENARIO_ERRORS_HPP
+#define TERN_TESTS_HOST_SCENARIO_ERRORS_HPP
 
 #include <gtest/gtest.h>
 
@@ -27,3 +28,5 @@ inline std::string error_of(const std::string& text, const std::vector<std::stri
 }
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A room with nothing in it that stands, for plans among things that move.
-#pragma once
+#ifndef TERN_TESTS_PLANNER_AMONG_HPP
+#define TERN_TESTS_PLANNER_AMONG_HPP
 
 #include <gtest/gtest.h>
 
@@ -64,3 +65,5 @@ class Among : public testing::Test {
 };
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A room whose request passes vias.
-#pragma once
+#ifndef TERN_TESTS_PLANNER_VIAS_ROOM_HPP
+#define TERN_TESTS_PLANNER_VIAS_ROOM_HPP
 
 #include <gtest/gtest.h>
 
@@ -58,3 +59,5 @@ class ViasPlan : public testing::Test {
 };
 
 }  // namespace tern_test
+
+#endif

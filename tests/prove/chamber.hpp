@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A room without anything in it, moves along lines, and the whole proof of one.
-#pragma once
+#ifndef TERN_TESTS_PROVE_CHAMBER_HPP
+#define TERN_TESTS_PROVE_CHAMBER_HPP
 
 #include <gtest/gtest.h>
 
@@ -48,3 +49,5 @@ struct Chamber : OwnedGrid {
 };
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Proofs against tracks, in a call each.
-#pragma once
+#ifndef TERN_TESTS_PROVE_TRACK_ANSWERS_HPP
+#define TERN_TESTS_PROVE_TRACK_ANSWERS_HPP
 
 #include <gtest/gtest.h>
 
@@ -44,3 +45,5 @@ inline tern::Status refused(const tern::Track& track, std::int32_t& which) {
 }
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Records of plans.
-#pragma once
+#ifndef TERN_TESTS_RECORD_RECORDS_HPP
+#define TERN_TESTS_RECORD_RECORDS_HPP
 
 #include <gtest/gtest.h>
 
@@ -27,3 +28,5 @@ inline Bytes record(const tern_test::World& world) {
 }
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The trajectory stage, run alone.
-#pragma once
+#ifndef TERN_TESTS_TRAJECTORY_STAGE_FLIGHT_HPP
+#define TERN_TESTS_TRAJECTORY_STAGE_FLIGHT_HPP
 
 #include <gtest/gtest.h>
 
@@ -64,3 +65,5 @@ inline tern::TrajectoryQuery rest_to_rest(const tern::Corridor& corridor) {
 }
 
 }  // namespace tern_test
+
+#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Fences as three grids of different radii load them.
-#pragma once
+#ifndef TERN_TESTS_WORLD_LOADED_FENCES_HPP
+#define TERN_TESTS_WORLD_LOADED_FENCES_HPP
 
 #include <gtest/gtest.h>
 
@@ -53,3 +54,5 @@ inline tern::Vec3 random_unit(Random& random) {
 }
 
 }  // namespace tern_test
+
+#endif

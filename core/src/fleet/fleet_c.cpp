@@ -32,6 +32,10 @@ const Fleet* object(const tern_fleet* fleet) {
   return std::launder(reinterpret_cast<const Fleet*>(fleet->opaque + 1));
 }
 
+bool has_room(const tern_track* tracks, std::int32_t room, const tern_track_piece* pieces, std::int32_t piece_room) {
+  return (room <= 0 || tracks != nullptr) && (piece_room <= 0 || pieces != nullptr);
+}
+
 }  // namespace
 
 extern "C" {
@@ -117,8 +121,7 @@ void tern_fleet_neighbour(const tern_fleet* fleet, std::int32_t index, tern_neig
 std::uint8_t tern_fleet_traffic(const tern_fleet* fleet, std::int64_t now, tern_track* tracks, std::int32_t room,
                                 tern_track_piece* pieces, std::int32_t piece_room, std::int32_t* count) {
   const Fleet* const of = object(fleet);
-  const bool has_room = (room <= 0 || tracks != nullptr) && (piece_room <= 0 || pieces != nullptr);
-  if (of == nullptr || !has_room || count == nullptr) return kInvalid;
+  if (of == nullptr || count == nullptr || !has_room(tracks, room, pieces, piece_room)) return kInvalid;
   return code(of->traffic(now, tracks, room, pieces, piece_room, *count));
 }
 
@@ -126,8 +129,7 @@ std::uint8_t tern_fleet_traffic_of(const tern_fleet* fleet, std::int32_t index, 
                                    std::int32_t room, tern_track_piece* pieces, std::int32_t piece_room,
                                    std::int32_t* count) {
   const Fleet* const of = object(fleet);
-  const bool has_room = (room <= 0 || tracks != nullptr) && (piece_room <= 0 || pieces != nullptr);
-  if (of == nullptr || !has_room || count == nullptr) return kInvalid;
+  if (of == nullptr || count == nullptr || !has_room(tracks, room, pieces, piece_room)) return kInvalid;
   return code(of->traffic_of(index, now, tracks, room, pieces, piece_room, *count));
 }
 

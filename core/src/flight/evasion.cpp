@@ -27,7 +27,7 @@ constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, k
 }  // namespace
 
 /// A yaw plan may take a quarter of each tick's units.
-std::int64_t Evasion::ticks(const FlightSpec& spec) const noexcept {
+std::int64_t Evasion::ticks_after(int missed, const FlightSpec& spec) noexcept {
   const std::uint32_t units = spec.work_per_tick - spec.work_per_tick / 4;
   const std::int64_t needed = 1 + (kEvadeWork + units - 1) / units;
   return (needed > kEvadeTicks ? needed : kEvadeTicks) << (missed / 2);

@@ -89,7 +89,9 @@ struct Evasion {
   bool is_called_for(const FlightFacts& flight, const Watch& watch, bool has_pending,
                      std::int64_t takeover) const noexcept;
   /// Ticks until the brake of an evasion begins.
-  std::int64_t ticks(const FlightSpec& spec) const noexcept;
+  std::int64_t ticks(const FlightSpec& spec) const noexcept { return ticks_after(missed, spec); }
+  /// The same, if so many evasions in a row were missed.
+  static std::int64_t ticks_after(int missed, const FlightSpec& spec) noexcept;
   /// True if a plan with this takeover may go on under a threat because there is time left to brake if it fails.
   bool leaves_time(const FlightFacts& flight, const Watch& watch, std::int64_t takeover) const noexcept;
 

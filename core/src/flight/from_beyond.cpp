@@ -99,7 +99,7 @@ Status limit_speed(const FromBeyond& what, const FlightSpec& spec, double cleara
   const Verdict ranges = validate_limits(limits);
   if (ranges.status != Status::kOk) return ranges.status;
   // The tick that is told of the thing, and those before the brake.
-  const double lead = 1e-9 * static_cast<double>((Evasion{}.ticks(spec) + 1) * spec.tick);
+  const double lead = 1e-9 * static_cast<double>((Evasion::ticks_after(0, spec) + 1) * spec.tick);
   const Approach approach{what, weakest_of(limits), lead, clearance, room};
   const double top = top_speed(limits);
   const auto fits = [&](double share) { return needed_below(approach, share * top) <= what.range; };

@@ -23,7 +23,7 @@ void FlightState::tick(std::int64_t t) noexcept {
   lookouts.note_tick(facts, {report.asked, report.dropped});
   lookouts.follow(facts, nose, {report.asked, report.dropped});
   nose.turn(facts, looking_at(facts.time), lookouts.is_active(), report.committed, tick_work);
-  // The first tick of an evasion does not count, the later ones are for its brakes alone.
+  // While an evasion runs, all work is for its brakes.
   if (!evasion.is_running) rest.advance(facts, tick_work);
   advance();
   finish_report(facts.spec.work_per_tick - least(tick_work.units(), facts.spec.work_per_tick));

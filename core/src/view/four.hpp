@@ -11,8 +11,8 @@
 
 namespace tern {
 
-/// Four numbers for targets without such registers. There, compilers keep vector types in memory, and copy them at each
-/// step. They are copied one by one: as a whole, they would go through memory as well. A comparison answers -1 or 0.
+/// Four numbers for targets without such registers. They are copied one by one, because compilers copy whole structures
+/// through memory. A comparison answers -1 or 0.
 template <typename T>
 struct PlainFour {
   using Mask = PlainFour<std::int32_t>;
