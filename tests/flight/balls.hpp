@@ -52,17 +52,6 @@ struct Hunter {
   }
 };
 
-/// On the way to 12 m along x, at nearly 3 m/s.
-struct TrackRoom : FlightRoom {
-  TrackRoom() {
-    flight.set_goal({12.125, 0.125, 1.125});
-    EXPECT_TRUE(tick_until([&] { return speed() > 2.9; }, 400));
-  }
-  tern::Track ball(double ahead, double aside) const {
-    return seen(7, position() + tern::Vec3{ahead, aside, 0.0}, {}, time - spec.tick, 0.0);
-  }
-};
-
 }  // namespace tern_test
 
 #endif

@@ -20,7 +20,17 @@ using tern_test::FlightRoom;
 using tern_test::Hunter;
 using tern_test::kBallRadius;
 using tern_test::seen;
-using tern_test::TrackRoom;
+
+/// On the way to 12 m along x, at nearly 3 m/s.
+struct TrackRoom : FlightRoom {
+  TrackRoom() {
+    flight.set_goal({12.125, 0.125, 1.125});
+    EXPECT_TRUE(tick_until([&] { return speed() > 2.9; }, 400));
+  }
+  Track ball(double ahead, double aside) const {
+    return seen(7, position() + Vec3{ahead, aside, 0.0}, {}, time - spec.tick, 0.0);
+  }
+};
 
 /// What a flight among hunters came to.
 struct Hunt {
