@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "host/number.hpp"
 #include "host/text_records.hpp"
@@ -18,7 +19,8 @@ namespace {
   const std::string end = advice.empty() ? "" : ". " + advice;
   const std::size_t at = byte > 0 ? byte - 1 : 0;
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw RecordError({file, 0}, "the file is empty" + end);
-  const auto line = static_cast<int>(1 + std::count(text.begin(), text.begin() + std::min(at, text.size()), '\n'));
+  const std::string_view before = std::string_view(text).substr(0, at);
+  const auto line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));
   if (at >= text.size()) {
     throw RecordError({file, line}, "not JSON: the file ends before it is complete (byte " + std::to_string(byte) +
                                         "): it may be cut off" + end);
