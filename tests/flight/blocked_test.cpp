@@ -297,4 +297,27 @@ TEST(FlightBlocked, EveryKindHasAText) {
   EXPECT_STREQ(blocked_by_text(static_cast<BlockedBy>(77)), "unknown");
 }
 
+/// A fence is worth waiting for if it will end, or if a link of the chain will begin; by the clock of each.
+TEST(FlightBlocked, FencesForAWhileAreWaitedFor) {
+  struct Case {
+    FenceKind kind;
+    double from, until, error;
+    bool is_temporary;
+  };
+  for (const Case& c :
+       {Case{FenceKind::kKeepOut, -9.0, -0.3, 0.1, false}, Case{FenceKind::kKeepOut, -9.0, -0.3, 0.4, true},
+        Case{FenceKind::kKeepOut, 0.0, 0.0, 0.4, false}, Case{FenceKind::kKeepIn, -0.3, 9.0, 0.4, true},
+        Case{FenceKind::kKeepIn, -0.3, 9.0, 0.1, false}, Case{FenceKind::kKeepIn, 5.0, 9.0, 2.5, false},
+        Case{FenceKind::kKeepIn, 0.0, 0.0, 0.4, false}}) {
+    FlightRoom room;
+    FlightFacts& facts = room.state().facts;
+    facts.fences[0] = {
+        nullptr, 0, c.kind, static_cast<std::int64_t>(c.from * 1e9), static_cast<std::int64_t>(c.until * 1e9), c.error};
+    facts.spec.fence_count = 1;
+    Work work{1000};
+    const Blockage block{BlockedBy::kFence, room.start, 0};
+    EXPECT_EQ(block.is_temporary(facts, work), c.is_temporary) << c.from << " " << c.until << " " << c.error;
+  }
+}
+
 }  // namespace

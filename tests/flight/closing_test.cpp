@@ -76,4 +76,24 @@ TEST(FlightClosing, PiecesSideBySideAreLeftTogether) {
   }
 }
 
+/// The clock of one fence says nothing of the times of another. A zone that has ended is no longer in the way of those
+/// who leave its neighbour; one that begins as late as the neighbour may end is.
+TEST(FlightClosing, EachZoneEndsByItsOwnClock) {
+  struct Case {
+    double from, until, error;
+    double way_out;  ///< its x
+  };
+  // Through the second zone, the way is 5.875 m long, and the opposite one 5.125 m.
+  for (const Case& c : {Case{-9.0, -0.3, 0.1, 2.0}, Case{-9.0, -0.3, 0.4, -5.0}, Case{30.3, 40.0, 0.1, -5.0},
+                        Case{30.7, 40.0, 0.1, 2.0}}) {
+    Zones zones;
+    zones.add(FenceKind::kKeepOut, {{-4.0, -9.0, -9.0}, {1.0, 9.0, 9.0}}, 12.0, 30.0, 0.5);
+    zones.add(FenceKind::kKeepOut, {{1.0, -9.0, -9.0}, {5.0, 9.0, 9.0}}, c.from, c.until, c.error);
+    ZoneFlight room(zones);
+    const FlightFacts& facts = room.state().facts;
+    Work work{100000};
+    EXPECT_NEAR(way_out_of(facts, facts.fences[0], room.start, 0, work).x, c.way_out, 1e-9) << c.until;
+  }
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "flight/closing.hpp"
+#include "flight/fence_hours.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
 #include "prove/fences.hpp"
@@ -18,8 +19,7 @@ constexpr double kBeyondRadius = 2.0;
 bool is_keep_in_to_come(const FlightFacts& flight) {
   for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
     const Fence& fence = flight.fences[k];
-    if (fence.kind != FenceKind::kKeepIn || !is_timed(fence)) continue;
-    if (seconds_between(flight.time, fence.from) + fence.clock_error > 0.0) return true;
+    if (fence.kind == FenceKind::kKeepIn && hours_of(fence, flight.time).is_to_come()) return true;
   }
   return false;
 }
@@ -109,7 +109,7 @@ bool Blockage::is_temporary(const FlightFacts& flight, Work& work) const noexcep
   if (by != BlockedBy::kFence) return by == BlockedBy::kTrack;
   const Fence& shut = flight.fences[fence];
   if (!is_timed(shut)) return false;
-  if (shut.kind == FenceKind::kKeepOut) return seconds_between(flight.time, shut.until) + shut.clock_error > 0.0;
+  if (shut.kind == FenceKind::kKeepOut) return !hours_of(shut, flight.time).is_over();
   work.spend(ops::kTurn * flight.spec.fence_count);
   return is_keep_in_to_come(flight);
 }

@@ -4,6 +4,7 @@
 
 #include "base/bounds.hpp"
 #include "base/math.hpp"
+#include "flight/fence_hours.hpp"
 #include "grid/lattice.hpp"
 #include "prove/fences.hpp"
 
@@ -61,11 +62,8 @@ double way_through(const FlightFacts& flight, const Fence& fence, const Vec3& pl
 
 /// True for a keep-out that holds now or later, and begins before `fence` ends.
 bool holds_meanwhile(const FlightFacts& flight, const Fence& other, const Fence& fence) {
-  if (other.kind != FenceKind::kKeepOut) return false;
-  if (!is_timed(other)) return true;
-  const double error = other.clock_error + fence.clock_error;
-  return seconds_between(flight.time, other.until) + error > 0.0 &&
-         seconds_between(other.from, fence.until) + error > 0.0;
+  const FenceHours hours = hours_of(other, flight.time);
+  return other.kind == FenceKind::kKeepOut && !hours.is_over() && hours.begin < hours_of(fence, flight.time).end;
 }
 
 /// The same until the vehicle is out of all keep-outs that hold meanwhile: zones often come as pieces side by side.
@@ -138,8 +136,8 @@ bool is_clear_of(const FlightFacts& flight, const Fence& fence, const Vec3& plac
 
 bool is_closed(const Fence& fence, std::int64_t time, double ahead) noexcept {
   if (fence.kind != FenceKind::kKeepOut || !is_timed(fence)) return false;
-  return seconds_between(time, fence.from) - fence.clock_error < ahead &&
-         seconds_between(time, fence.until) + fence.clock_error > 0.0;
+  const FenceHours hours = hours_of(fence, time);
+  return hours.begin < ahead && !hours.is_over();
 }
 
 std::int32_t closing_fence(const FlightFacts& flight, const Vec3& place, std::int64_t rests, double spare,
