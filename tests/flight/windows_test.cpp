@@ -20,6 +20,7 @@
 namespace {
 
 using namespace tern;
+using tern_test::FlightRoom;
 using tern_test::gap;
 using tern_test::ZoneFlight;
 using tern_test::Zones;

@@ -64,7 +64,7 @@ TEST(FlightFaults, WithoutFramesItComesToRest) {
     flown->frames = false;
     flown->fly(0.5);
     EXPECT_FALSE(flown->report.map_stale) << k;
-    const FlightReason reason = flown->fly(60.0);
+    const FlightReason reason = flown->fly(80.0);
     EXPECT_TRUE(reason == FlightReason::kMapStale || reason == FlightReason::kArrived) << k << ": " << story(*flown);
     EXPECT_TRUE(flown->report.map_stale) << k;
     EXPECT_GT(flown->report.frame_age, 1000000000) << k;
@@ -143,7 +143,7 @@ TEST(FlightFaults, BlindImagesEndAtRest) {
       const auto flown = begin(static_cast<std::uint64_t>(1500 + k), fast(), 1.0 / 25.0);
       flown->fly(1.0);
       flown->images = images;
-      const FlightReason reason = flown->fly(60.0);
+      const FlightReason reason = flown->fly(80.0);
       EXPECT_TRUE(reason != FlightReason::kNone && reason != FlightReason::kArrived) << story(*flown);
       EXPECT_EQ(flown->report.mode, FlightMode::kRest) << story(*flown);
     }

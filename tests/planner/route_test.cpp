@@ -140,6 +140,55 @@ TEST(Pace, SavesIterations) {
   EXPECT_LT(paced, unpaced);
 }
 
+/// Asks for a plan that is better than the rest of this one; kOk if there is one.
+Status ask_for_better(World& world, const tern::Trajectory& rival, double from) {
+  std::memset(static_cast<void*>(&world.trajectory), 0x5A, sizeof world.trajectory);
+  EXPECT_EQ(world.planner.begin(world.grid, world.request, rival, from, true), Status::kRunning);
+  world.planner.step(0xFFFFFFFFu);
+  return world.planner.finish(world.trajectory, world.report);
+}
+
+TEST(Pace, OfTheBestPlanEndsTheSearchForABetterOneSoon) {
+  World world = room_with_two_walls();
+  ASSERT_EQ(world.replan(), Status::kOk);
+  const tern::Trajectory first = world.trajectory;
+  const std::uint32_t whole = world.report.diagnostics.stages[kTrajectoryIndex].work;
+  for (const double part : {0.0, 0.2, 0.4, 0.6}) {
+    const tern::Sample now = tern::evaluate(first, part * tern::duration(first));
+    world.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+    ASSERT_EQ(ask_for_better(world, first, part * tern::duration(first)), Status::kNoTrajectory) << part;
+    EXPECT_EQ(world.report.stage, tern::Stage::kTrajectory);
+    EXPECT_TRUE(world.trajectory_untouched());
+    EXPECT_LT(3 * world.report.diagnostics.stages[kTrajectoryIndex].work, whole);
+  }
+}
+
+TEST(Pace, OfASlowPlanIsBeaten) {
+  World world = room_with_two_walls();
+  const tern::Limits limits = world.request.limits;
+  world.request.limits.v_max = {1.0, 1.0, 1.0};
+  ASSERT_EQ(world.replan(), Status::kOk);
+  const tern::Trajectory slow = world.trajectory;
+  world.request.limits = limits;
+  ASSERT_EQ(ask_for_better(world, slow, 0.0), Status::kOk);
+  EXPECT_LT(tern::duration(world.trajectory), 0.95 * tern::duration(slow));
+}
+
+TEST(Pace, OfAPlanElsewhereIsNoRival) {
+  World world = room_with_two_walls();
+  ASSERT_EQ(world.replan(), Status::kOk);
+  const tern::Trajectory alone = world.trajectory;
+  tern::Trajectory elsewhere = alone;
+  elsewhere.origin.z += 1.6;
+  ASSERT_EQ(ask_for_better(world, elsewhere, 0.0), Status::kOk);
+  ASSERT_EQ(world.trajectory.count, alone.count);
+  for (int i = 0; i < alone.count; ++i) {
+    EXPECT_EQ(world.trajectory.segments[i].duration, alone.segments[i].duration);
+    EXPECT_EQ(
+        std::memcmp(world.trajectory.segments[i].points, alone.segments[i].points, sizeof alone.segments[i].points), 0);
+  }
+}
+
 TEST(Pace, IsRefusedIfItIsNoPlan) {
   World world = room_with_two_walls();
   ASSERT_EQ(world.replan(), Status::kOk);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tern/trajectory.hpp"
@@ -97,6 +98,24 @@ TEST_F(PaceOfAPlan, IsFarFromEverythingOnceItIsOver) {
   EXPECT_EQ(tern::pace_to(pace_, {8.0, 8.0, 0.0}, walk, pieces_), 1e300);
   EXPECT_EQ(walk.time, 6.0);
   EXPECT_EQ(pieces_, 0);
+}
+
+/// x = t^4 has a snap of 24 m/s^4: an integral of 576 m^2/s^8 for each second.
+TEST_F(PaceOfAPlan, TellsWhatIsLeftOfIt) {
+  tern::Segment& curved = plan_.segments[plan_.count++];
+  curved.duration = 0.5;
+  for (int k = 0; k < tern::kControlPoints; ++k) {
+    const double choices = k < 4 ? 0.0 : (k == 4 ? 1.0 : (k == 5 ? 5.0 : (k == 6 ? 15.0 : 35.0)));
+    curved.points[k] = {0.0625 * choices / 35.0, 0.0, 0.0};
+  }
+  for (const double from : {0.0, 5.0, 6.0, 6.125, 6.4375}) {
+    pace_ = Pace{&plan_, from, {}};
+    const tern::Rival rest = tern::rest_of(pace_);
+    EXPECT_NEAR(rest.duration, 6.5 - from, 1e-12) << from;
+    EXPECT_NEAR(rest.snap, 576.0 * std::min(0.5, 6.5 - from), 1e-8) << from;
+  }
+  pace_ = Pace{&plan_, 7.0, {}};
+  EXPECT_EQ(tern::rest_of(pace_).duration, 0.0);
 }
 
 TEST_F(PaceOfAPlan, StandsStillWhereThePlanDoes) {

@@ -204,13 +204,14 @@ class TimesWithPace : public Times {
       earlier_->segments[0].points[k] = {length * k / tern::kDegree - speed * from, 0.0, 0.0};
     }
     tern::TimesQuery query{first(), last(), kTwo};
-    query.pace = {earlier_.get(), from, {0.0, aside, 0.0}};
+    query.pace = {earlier_.get(), from, {0.0, aside, 0.0}, is_rival_};
     tern::times_begin(stage_, *corridor_, query, *chain_);
     ASSERT_EQ(advance(100), tern::Progress::kDone);
     ASSERT_EQ(chain_->count, 6);
   }
 
   std::unique_ptr<tern::Trajectory> earlier_;
+  bool is_rival_ = false;
 };
 
 TEST_F(TimesWithPace, SegmentsTakeTheTimeOfTheEarlierPlan) {
@@ -219,6 +220,12 @@ TEST_F(TimesWithPace, SegmentsTakeTheTimeOfTheEarlierPlan) {
     EXPECT_TRUE(stage_.paced);
     for (int i = 0; i < 6; ++i) EXPECT_NEAR(chain_->duration[i], 1.05 * 5.0 / 1.6, 1e-12) << i;
   }
+}
+
+TEST_F(TimesWithPace, APlanThatHasToBeatTheEarlierOneBeginsAPercentFaster) {
+  is_rival_ = true;
+  begin_after(30.0, 1.6, 1.4);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(chain_->duration[i], 0.99 * 5.0 / 1.6, 1e-12) << i;
 }
 
 TEST_F(TimesWithPace, AnEarlierPlanElsewhereDoesNotCount) {

@@ -98,6 +98,30 @@ TEST(TrajectoryStage, TheWeightTradesDurationAgainstSnap) {
   }
 }
 
+TEST(TrajectoryStage, APlanThatDoesNotBeatItsRivalIsNone) {
+  const Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor);
+  const Flight alone(corridor, query);
+  query.rival = {duration(alone.plan), snap_cost(alone.plan)};
+  const Flight beaten(corridor, query);
+  EXPECT_EQ(beaten.status, Status::kNoTrajectory);
+  EXPECT_EQ(beaten.stage->quality, Quality::kNone);
+  EXPECT_EQ(beaten.stage->solves, 1);
+  EXPECT_LT(4 * beaten.spent, alone.spent);
+}
+
+TEST(TrajectoryStage, APlanThatBeatsItsRivalIsFound) {
+  const Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor);
+  const Flight alone(corridor, query);
+  query.rival = {1.5 * duration(alone.plan), snap_cost(alone.plan)};
+  const Flight better(corridor, query);
+  ASSERT_EQ(better.status, Status::kOk);
+  EXPECT_EQ(better.stage->quality, Quality::kOptimised);
+  const double rate = kDefaultTimeWeight * better.stage->refinement.unit;
+  EXPECT_LT(snap_cost(better.plan) + rate * duration(better.plan), query.rival.snap + rate * query.rival.duration);
+}
+
 TEST(TrajectoryStage, AgileLimitsAreApproachedFromSmallerWeights) {
   const Corridor corridor = corner();
   TrajectoryQuery query = rest_to_rest(corridor);

@@ -103,7 +103,7 @@ const char* flight_reason_text(FlightReason reason) noexcept;
 struct FlightReport {
   FlightMode mode;
   FlightReason reason;
-  /// Answer of the last plan.
+  /// Answer of the last plan. kOk, too, if none was better than what is left of the plan in flight.
   Status plan;
   /// Plans begun, committed, dropped because they were late, and failed. A plan fails if the planner finds none, or if
   /// nothing of it can be proven.

@@ -64,7 +64,12 @@ class Planner {
   /// requested start `pace_time` seconds after its beginning; it is read at once and never followed. Answers
   /// kInvalidArgument, field kPrevious, if there is a previous plan, `pace` is no trajectory, or `pace_time` is
   /// negative or not finite.
-  Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept;
+  ///
+  /// `must_beat` says that you will follow what is left of `pace` unless there is a better plan. If the way leads near
+  /// it, the optimiser then looks only for a plan of less cost (docs/trajectory.md, "Duration search"), and the answer
+  /// is kNoTrajectory if there is none. That takes less work than a plan that you would not follow.
+  Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time,
+               bool must_beat = false) noexcept;
   /// Continues the plan as long as work is left. kRunning: there is more to do. Any other answer is the answer of the
   /// plan: call finish(). kInvalidArgument if no plan was begun.
   ///

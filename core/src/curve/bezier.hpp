@@ -45,11 +45,11 @@ void keep_first_part(double u, Point* points) {
   }
 }
 
-/// The control points [0 .. kDegree] of the part after u in (0, 1): by de Casteljau.
+/// The control points [0 .. degree] of the part after u in [0, 1): by de Casteljau.
 template <typename Point>
-void keep_last_part(double u, Point* points) {
-  for (int level = 1; level <= kDegree; ++level) {
-    for (int k = 0; k <= kDegree - level; ++k) points[k] = (1.0 - u) * points[k] + u * points[k + 1];
+void keep_last_part(double u, Point* points, int degree = kDegree) {
+  for (int level = 1; level <= degree; ++level) {
+    for (int k = 0; k <= degree - level; ++k) points[k] = (1.0 - u) * points[k] + u * points[k + 1];
   }
 }
 

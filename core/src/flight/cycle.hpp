@@ -77,6 +77,7 @@ struct Cycle {
   bool leads_out;            ///< the plan leads away from what is within the radius
   bool steps_back;           ///< the plan leads to the nearest voxel that is free for all that is known
   bool remainder_is_free;    ///< the remainder of the planner's plan in flight is free on the route copy
+  bool must_beat;            ///< the plan that was asked for leads where that remainder does, and has to be better
   bool looks_out;            ///< the plan leads to a lookout, or to a place on the way to one
   std::uint32_t question;    ///< number of the last draft that waits, or waited, for an answer
   bool cut_off;              ///< no way leads to the target, and the vehicle rests as near to it as it can
@@ -120,6 +121,8 @@ struct Cycle {
   double horizon(const FlightFacts& flight) const noexcept;
   /// The planner is done. `found` says what it found.
   Status finish(Report& found) noexcept;
+  /// True if it found nothing better than the remainder of its plan in flight.
+  bool keeps_remainder(const Report& found) const noexcept;
   /// The route that was found.
   FoundRoute route_found() const noexcept;
   /// The route is found: the plan leads to the point one horizon along it.

@@ -82,7 +82,7 @@ Progress FlightState::end_planner() noexcept {
   Report found;
   const bool is_found = cycle.finish(found) == Status::kOk;
   if (cycle.job == Job::kPlan) {
-    report.plan = found.status;
+    report.plan = cycle.keeps_remainder(found) ? Status::kOk : found.status;
     cycle.lead.shorten(facts, draft.takeover);
   }
   if (!is_found) {
@@ -100,7 +100,7 @@ Progress FlightState::end_planner() noexcept {
 
 /// Asks the planner for something else, if there is anything. If the mission is a new one, the failure says nothing.
 void FlightState::end_without_plan(const Report& found) noexcept {
-  if (cycle.aim.is_outdated(facts.itinerary)) return choose_draft(false);
+  if (cycle.aim.is_outdated(facts.itinerary) || cycle.keeps_remainder(found)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
   if (is_by_time(found.status)) ++cycle.met_things;
   if (note_fault(found)) return give_up();

@@ -25,10 +25,14 @@ void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_
   times_begin(memory.times, memory.corridor, {ends.start, ends.goal, problem.limits, via_joints, pace}, memory.chain);
 }
 
-void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept {
-  const TrajectoryQuery query{ends.start,         ends.goal,         problem.limits, problem.asked.time_weight,
-                              curves.stop_and_go, memory.times.paced};
+Operations curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept {
+  const TimesStage& times = memory.times;
+  TrajectoryQuery query{ends.start,         ends.goal,  problem.limits, problem.asked.time_weight,
+                        curves.stop_and_go, times.paced};
+  const bool has_rival = times.paced && times.pace.is_rival;
+  if (has_rival) query.rival = rest_of(times.pace);
   trajectory_begin(memory.stage, memory.corridor, query, memory.chain);
+  return has_rival ? 2 * ops::kCurve * times.pace.plan->count : 0;
 }
 
 Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& trajectory, Work& work) noexcept {

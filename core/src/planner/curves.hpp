@@ -65,8 +65,8 @@ struct Curves {
 void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_joints, const Pace& pace,
                  const Corridor& corridor, CurveMemory& memory) noexcept;
 
-/// Makes the trajectory of the chain; the origin is that of the plan's frame.
-void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept;
+/// Makes the trajectory of the chain; the origin is that of the plan's frame. Returns the operations that it took.
+Operations curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept;
 Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& trajectory, Work& work) noexcept;
 
 /// Adds the stops at both ends and the dwells at the vias to the trajectory. False if there is no capacity for all

@@ -128,6 +128,10 @@ void Pipeline::go_on_from_trajectory(bool done) noexcept {
   optimiser_ = curves_.optimiser;
   attempts_.waiting = {};
   attempts_.around = {};
+  if (!done && has_rival(memory.stage.trajectory.stage)) {
+    end(Stage::kTrajectory, curves_.status);
+    return;
+  }
   if (!done) return fail(Stage::kTrajectory, curves_.status);
   if (problem_.thing_count > 0) memory.around.alone.trajectory = memory.trajectory;
   if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory)) {

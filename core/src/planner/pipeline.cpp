@@ -37,7 +37,7 @@ RoomProof room_of(const Problem& problem, Layout& memory) {
 Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory) {
   if (!problem.has_pace || curves.stop_and_go || memory.stops[0].count > 0) return {};
   const Trajectory& plan = memory.previous.plan;
-  return {&plan, problem.pace_from, plan.origin - problem.asked.start.position};
+  return {&plan, problem.pace_from, plan.origin - problem.asked.start.position, problem.must_beat_pace};
 }
 
 /// `entered`: when the plan enters the trajectory. `goes_on`: it continues the previous plan, with the jerk of that
@@ -131,6 +131,7 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   problem_.asked = request;
   problem_.has_pace = request.previous != nullptr || mode.pace != nullptr;
   problem_.pace_from = mode.pace != nullptr ? mode.pace_time : request.previous_time;
+  problem_.must_beat_pace = mode.must_beat;
   problem_.given_at_rest = rests(problem_);
   begin_goal();
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
@@ -183,7 +184,8 @@ void Pipeline::enter(Stage stage) noexcept {
         return around_begin(problem_, m.ends, m.stops[0], is_first ? m.around.alone.trajectory : m.around.seed,
                             is_first ? kAroundSlack : 1.0, m.stage.trajectory);
       }
-      return curves_begin(problem_, m.ends, curves_, m.stage.trajectory);
+      begun_ += curves_begin(problem_, m.ends, curves_, m.stage.trajectory);
+      return;
     case Stage::kCheck:
       return check_begin(m.stage.check);
     case Stage::kDetour:

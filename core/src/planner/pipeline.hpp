@@ -36,6 +36,7 @@ struct PlanMode {
   bool route_only = false;           ///< the path is the result
   const Trajectory* pace = nullptr;  ///< a plan that sets the pace, for a request without a previous plan; null: none
   double pace_time = 0.0;            ///< when that plan passes the start, s since its beginning
+  bool must_beat = false;            ///< only a plan that is better than what is left of it is of use
 };
 
 class Pipeline {

@@ -46,8 +46,9 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   return begin_query(grid, request, {});
 }
 
-Status Planner::begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept {
-  return begin_query(grid, request, {false, &pace, pace_time});
+Status Planner::begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time,
+                      bool must_beat) noexcept {
+  return begin_query(grid, request, {false, &pace, pace_time, must_beat});
 }
 
 Status Planner::route(const Grid& grid, const Request& request, Report& report) noexcept {
@@ -62,7 +63,7 @@ Status Planner::begin_route(const Grid& grid, const Request& request) noexcept {
   still.start = {request.start.position, kZero, kZero};
   still.goal = {request.goal.position, kZero, kZero};
   still.previous = nullptr;
-  return begin_query(grid, still, {true, nullptr, 0.0});
+  return begin_query(grid, still, {true});
 }
 
 Status Planner::begin_query(const Grid& grid, const Request& request, const PlanMode& mode) noexcept {

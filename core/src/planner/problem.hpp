@@ -42,6 +42,7 @@ struct Problem {
   bool given_at_rest;  ///< both ends were given at rest
   bool has_pace;       ///< Previous::plan passes the start, `pace_from` seconds after its beginning
   double pace_from;
+  bool must_beat_pace;  ///< only a plan that is better than that is of use
 };
 
 /// What is wrong with a request.

@@ -65,4 +65,22 @@ double pace_to(const Pace& pace, const Vec3& place, PaceWalk& walk, int& pieces)
   return nearest;
 }
 
+Rival rest_of(const Pace& pace) noexcept {
+  Rival rest{};
+  double begin = 0.0;
+  for (int i = 0; i < pace.plan->count; ++i) {
+    const Segment& segment = pace.plan->segments[i];
+    const double end = begin + segment.duration;
+    if (end > pace.from) {
+      const double before = larger(0.0, pace.from - begin);
+      Curve snap = snap_of(segment);
+      keep_last_part(before / segment.duration, snap.c, snap.degree);
+      rest.duration += segment.duration - before;
+      rest.snap += integral_of_product(snap, snap, segment.duration - before);
+    }
+    begin = end;
+  }
+  return rest;
+}
+
 }  // namespace tern

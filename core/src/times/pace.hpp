@@ -16,6 +16,13 @@ struct Pace {
   const Trajectory* plan = nullptr;  ///< null: no pace; else a plan of at least one segment
   double from = 0.0;                 ///< seconds since the plan's beginning, >= 0
   Vec3 offset{0.0, 0.0, 0.0};        ///< from the plan's frame to the chain's, metres
+  bool is_rival = false;             ///< it is flown on unless a new plan is better
+};
+
+/// What is left of a plan that a new one has to beat.
+struct Rival {
+  double duration = 0.0;  ///< s; 0: there is none
+  double snap = 0.0;      ///< the integral of its squared snap, m^2/s^7
 };
 
 /// Each segment of the plan counts as this many straight pieces, each flown at constant speed.
@@ -39,6 +46,9 @@ void pace_begin(const Pace& pace, PaceWalk& walk) noexcept;
 /// their distance in metres, or 1e300 if the plan is over. walk.time becomes the plan's time at that point. `pieces`
 /// grows by the number of pieces examined.
 double pace_to(const Pace& pace, const Vec3& place, PaceWalk& walk, int& pieces) noexcept;
+
+/// What is left of the plan from pace.from on. The pace must have a plan.
+Rival rest_of(const Pace& pace) noexcept;
 
 }  // namespace tern
 

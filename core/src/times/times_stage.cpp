@@ -36,7 +36,11 @@ constexpr double kBeside = 1.5;
 /// and a programme without a solution costs most. The result is clamped between kLeastPaced of the segment's own first
 /// duration and the whole of it. Otherwise an earlier plan that slows down to its end would be too slow for a chain
 /// that goes on.
+///
+/// A plan that has to beat the earlier one begins a per cent faster than that. If such durations have no solution, the
+/// new plan would hardly be better.
 constexpr double kPaceSlack = 1.05;
+constexpr double kRivalSlack = 0.99;
 constexpr double kLeastPaced = 0.4;
 
 constexpr JointState kAtRest{};
@@ -219,7 +223,8 @@ double paced_time(TimesStage& stage, const Chain& chain, const Corridor& corrido
   work.spend(ops::kCurve * pieces);
   if (!begins_beside || !stage.beside) return own;
   stage.paced = true;
-  return larger(kMinDuration, clamp(kPaceSlack * (stage.walk.time - begin), kLeastPaced * own, own));
+  const double slack = stage.pace.is_rival ? kRivalSlack : kPaceSlack;
+  return larger(kMinDuration, clamp(slack * (stage.walk.time - begin), kLeastPaced * own, own));
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ constexpr int kPasses = 4 * kMaxQpSolves + 4;
 /// A programme's lower bound is examined every time after this many iterations.
 constexpr int kBoundStride = 4;
 
+/// Rounds of the feasibility phase with a rival: longer durations than its own would not help.
+constexpr int kRivalRounds = 1;
+
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
 }
@@ -48,7 +51,7 @@ Candidate candidate_of(const TrajectoryStage& stage) {
 
 /// Snap of the chain with all unknowns zero, once there is a plan to compare with.
 double fixed_snap(TrajectoryStage& stage) {
-  if (!stage.best.found) return 0.0;
+  if (!stage.best.found && !has_rival(stage)) return 0.0;
   for (int a = 0; a < kQpAxes; ++a) {
     for (int i = 0; i < stage.problem.unknowns; ++i) stage.solution.x[a][i] = 0.0;
   }
@@ -77,15 +80,22 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   stage.phase = TrajectoryPhase::kSolve;
 }
 
+/// As improves(); the first plan has to cost less than the rival, if there is one.
+bool improves(const TrajectoryStage& stage, Offer& offer) {
+  if (!improves(stage.refinement, offer)) return false;
+  const Rival& rival = stage.query.rival;
+  return stage.best.found || !has_rival(stage) || offer.cost < rival.snap + stage.refinement.rate * rival.duration;
+}
+
 /// True if no solution of the programme can improve on the best plan, because not even its lower bound of the snap
 /// would.
 bool hopeless(const TrajectoryStage& stage) {
-  if (!stage.best.found) return false;
+  if (!stage.best.found && !has_rival(stage)) return false;
   const double bound = qp_lower_bound(stage.solver);
   if (!(bound > -kQpNoBound)) return false;
   const double snap = larger(0.0, stage.scale.snap_per_cost * bound + stage.fixed_snap);
   Offer offer{snap, chain_duration(stage.chain), 0.0, 1.0, 0.0};
-  return !improves(stage.refinement, offer);
+  return !improves(stage, offer);
 }
 
 void note_iterations(TrajectoryStage& stage, int used) {
@@ -138,7 +148,7 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const double least = stage.refinement.elastic ? stretch_to_limits(candidate, stage.query.limits) : 1.0;
   Round& round = stage.round;
   round.offer = Offer{snap_of(candidate), chain_duration(stage.chain), least, 1.0, 0.0};
-  const bool better = improves(stage.refinement, round.offer);
+  const bool better = improves(stage, round.offer);
   const bool via_joints = keeps_everything(candidate, round.offer.stretch, corridor, stage.query.limits);
   if (!via_joints) stage.solve_status = Status::kNumerical;
   if (stage.query.limits.rate > 0.0) {
@@ -163,6 +173,7 @@ Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
   Question question{time_unit(stage.chain, corridor, query.limits), query.time_weight,
                     agility(stage.chain, corridor, query.limits), is_elastic(stage),
                     query.paced && !stage.has_fallback};
+  if (has_rival(stage)) question.feasibility_rounds = kRivalRounds;
   if (query.scene != nullptr) ask_among_things(stage, question);
   return question;
 }
@@ -175,7 +186,8 @@ void begin_refinement(TrajectoryStage& stage, const Corridor& corridor) {
 /// If no programme had a solution: starts again from the segments of stop-and-go, for which a solution exists.
 void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const TrajectoryQuery& query = stage.query;
-  if (stage.best.found || stage.has_fallback || hurries(stage.chain) || query.scene != nullptr) return;
+  const bool has_none = hurries(stage.chain) || query.scene != nullptr || has_rival(stage);
+  if (stage.best.found || stage.has_fallback || has_none) return;
   work.spend(rest_operations(corridor.count, rests(query)));
   if (stop_and_go(corridor, query.start, query.goal, query.limits, stage.fallback) != Status::kOk) return;
   stage.has_fallback = true;
@@ -215,6 +227,7 @@ Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory&
   if (query.scene != nullptr) {
     return conclude(stage.separations.is_full ? Status::kSeparationsFull : Status::kNoTrajectory, stage.status);
   }
+  if (has_rival(stage)) return conclude(Status::kNoTrajectory, stage.status);
   work.spend(rest_operations(corridor.count, rests(query)));
   const Status status =
       hurries(stage.chain) ? Status::kNoTrajectory : stop_and_go(corridor, query.start, query.goal, query.limits, out);

@@ -19,6 +19,7 @@
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 #include "times/chain.hpp"
+#include "times/pace.hpp"
 #include "trajectory/candidate.hpp"
 #include "trajectory/programme.hpp"
 #include "trajectory/refinement.hpp"
@@ -35,6 +36,7 @@ struct TrajectoryQuery {
   double time_weight;            ///< > 0; see Request::time_weight
   bool stop_and_go = false;      ///< no programme, but stop-and-go at once
   bool paced = false;            ///< the chain has its durations from an earlier plan (times/pace.hpp)
+  Rival rival{};                 ///< what is left of that plan, if only a better one is of use
   const Scene* scene = nullptr;  ///< things that move, which the trajectory is led around; null: none
 };
 
@@ -83,12 +85,20 @@ struct TrajectoryStage {
   QpSolver solver;
 };
 
+/// True if only a plan that is better than another one is of use.
+inline bool has_rival(const TrajectoryStage& stage) noexcept {
+  return stage.query.rival.duration > 0.0;
+}
+
 /// Starts a plan from the chain that the times stage made of the corridor. The corridor must stay unchanged until the
 /// plan ends; it has at least one polyhedron, each around its segment.
 ///
 /// With a scene, the chain has the segments of the scene's reference, and the trajectory is what it would be with
 /// planes between it and all things that it meets. There is no stop-and-go then: kFailed with kNoTrajectory, or with
 /// kSeparationsFull if it meets too much.
+///
+/// With a rival, only a trajectory that costs less than it is looked for, at first in the rival's durations. There is
+/// no stop-and-go then: kFailed with kNoTrajectory if none was found.
 void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
                       const Chain& chain) noexcept;
 
