@@ -3,6 +3,7 @@
 #include "planner/around.hpp"
 
 #include "base/math.hpp"
+#include "curve/bezier.hpp"
 #include "curve/rest.hpp"
 
 namespace tern {
@@ -43,6 +44,25 @@ void bring_back(const Kept& kept, Path& path, Corridor& corridor) noexcept {
   path.count = kept.points;
   for (int i = 0; i < path.count; ++i) path.points[i] = kept.path[i];
   path.length = kept.length;
+}
+
+void halve_segments(const Trajectory& alone, int most, Trajectory& seed) noexcept {
+  seed.count = 0;
+  for (int i = 0; i < alone.count; ++i) {
+    Segment& segment = seed.segments[seed.count++];
+    segment = alone.segments[i];
+    const int needed = seed.count + alone.count - 1 - i;
+    if (!(segment.duration > kLongestWhole) || needed >= most) continue;
+    Curve first = curve_of(segment);
+    const Curve second = split(first);
+    segment.duration *= 0.5;
+    Segment& half = seed.segments[seed.count++];
+    half = segment;
+    for (int k = 0; k < kControlPoints; ++k) {
+      segment.points[k] = first.c[k];
+      half.points[k] = second.c[k];
+    }
+  }
 }
 
 void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& seed,

@@ -66,6 +66,9 @@ constexpr int kKeptFirst = 3;
 
 /// The durations of the plan as if nothing moved are lengthened by this factor: the way around is longer.
 constexpr double kAroundSlack = 1.04;
+/// s. Its segments that last longer become two each: five on an empty way are too few to pass a thing in the least
+/// time.
+constexpr double kLongestWhole = 1.8;
 /// A plan that lasts longer than that one by no more than this factor is good enough.
 constexpr double kGoodEnough = 1.02;
 /// A flood at full speed looks for no ways that take longer by more than this factor; slower ones look further.
@@ -74,6 +77,10 @@ constexpr double kLongestFlood = 1.6;
 /// Keeps what the search for other ways overwrites, and brings it back.
 void keep(const Path& path, const Corridor& corridor, Kept& kept) noexcept;
 void bring_back(const Kept& kept, Path& path, Corridor& corridor) noexcept;
+
+/// Makes the first seed of the plan as if nothing moved: the same curve in `most` segments at most, or as many as it
+/// has.
+void halve_segments(const Trajectory& alone, int most, Trajectory& seed) noexcept;
 
 /// Makes the chain and the scene of the seed, and begins its trajectory. The times stage has run: the memory has the
 /// corridor and the chain's ends and vias. The durations are `slack` times those of the seed, which must stay until the

@@ -20,6 +20,9 @@ void Pipeline::begin_around() noexcept {
   around.optimiser = optimiser_;
   around.alone = duration(memory.trajectory);
   keep(memory.path, memory.corridor, memory.around.alone);
+  const Trajectory& alone = memory.around.alone.trajectory;
+  const int stops_and_dwells = memory.trajectory.count - alone.count;
+  halve_segments(alone, kMaxSegments - stops_and_dwells, memory.around.seed);
   enter(Stage::kTimes);
 }
 

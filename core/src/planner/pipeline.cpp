@@ -180,9 +180,8 @@ void Pipeline::enter(Stage stage) noexcept {
                          m.stage.trajectory);
     case Stage::kTrajectory:
       if (attempts_.around.is_active) {
-        const bool is_first = attempts_.around.seed == 0;
-        return around_begin(problem_, m.ends, m.stops[0], is_first ? m.around.alone.trajectory : m.around.seed,
-                            is_first ? kAroundSlack : 1.0, m.stage.trajectory);
+        const double slack = attempts_.around.seed == 0 ? kAroundSlack : 1.0;
+        return around_begin(problem_, m.ends, m.stops[0], m.around.seed, slack, m.stage.trajectory);
       }
       begun_ += curves_begin(problem_, m.ends, curves_, m.stage.trajectory);
       return;
