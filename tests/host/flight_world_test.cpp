@@ -98,7 +98,7 @@ TEST(WorldFamily, NamesSayFamilySpeedAndSeed) {
 
 TEST(WorldFamily, EveryMemberIsAWorldWithClearEnds) {
   for (const std::string& family : tern_host::family_names()) {
-    for (int seed = 1; seed <= tern_test::scaled(150); ++seed) {
+    for (int seed = 1; seed <= tern_test::scaled(40); ++seed) {
       const std::string name = family + ":" + std::to_string(seed);
       const FlightWorld world = member(name);
       const bool on_ground = family == "K";

