@@ -26,6 +26,19 @@ double gap_at(const tern::Track& ball, const Vec3& place, double time) {
   return apart(place, centre) - ball.radius - (ball.error + time * ball.error_speed);
 }
 
+/// At a third and at two thirds of the way, and aside.
+void add_vias(Reals& reals, TimeCase& made) {
+  for (int i = 0; i < 2; ++i) {
+    made.vias[i] = tern::Via{};
+    made.vias[i].position = {10.0 + 10.0 * i + reals(-2.0, 2.0), reals(3.0, 13.0), reals(1.5, 4.5)};
+    made.vias[i].tolerance = 0.3;
+  }
+  made.vias[1].stop = true;
+  made.vias[1].dwell = 1.0;
+  made.request.vias = made.vias;
+  made.request.via_count = 2;
+}
+
 }  // namespace
 
 void build(const TimeFamily& family, Reals& reals, TimeCase& made) {
@@ -46,6 +59,7 @@ void build(const TimeFamily& family, Reals& reals, TimeCase& made) {
   made.request.limits.a_max = {4.0, 4.0, 3.0};
   made.request.rest_clear = 1.0;
   made.tracks.clear();
+  if (family.has_vias) add_vias(reals, made);
 }
 
 void add_things(int count, const tern::Trajectory& alone, Reals& reals, TimeCase& made) {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Worlds of things that move, by seed: 32 x 16 x 6 m, empty or with pillars, and balls of which a quarter is aimed at
-// the plan that is made without them.
+// Worlds of things that move, by seed: 32 x 16 x 6 m, empty or with pillars, some with vias, and balls of which a
+// quarter is aimed at the plan that is made without them.
 #ifndef TERN_BENCH_TIME_CASES_HPP
 #define TERN_BENCH_TIME_CASES_HPP
 
@@ -18,7 +18,8 @@ namespace tern_bench {
 struct TimeFamily {
   const char* name;
   int pillars;
-  double speed;  ///< at the start, along x, m/s
+  double speed;   ///< at the start, along x, m/s
+  bool has_vias;  ///< two: one to pass, one to rest at for a second
 };
 
 /// Numbers of <random>'s engine, the same everywhere.
@@ -39,6 +40,7 @@ struct TimeCase {
   std::vector<std::uint64_t> words;
   tern::Request request;
   std::vector<tern::Track> tracks;
+  tern::Via vias[2];
 };
 
 /// The world without things; `reals` then goes on in add_things().

@@ -21,7 +21,10 @@ using tern_bench::quantile;
 using tern_bench::TimeCase;
 using tern_bench::TimeFamily;
 
-constexpr TimeFamily kFamilies[] = {{"empty", 0, 0.0}, {"forest", 41, 0.0}, {"forest from motion", 41, 2.0}};
+constexpr TimeFamily kFamilies[] = {{"empty", 0, 0.0, false},
+                                    {"forest", 41, 0.0, false},
+                                    {"forest from motion", 41, 2.0, false},
+                                    {"forest through vias", 41, 0.0, true}};
 constexpr int kThings[] = {1, 10, 50, 200};
 constexpr int kProofThings = 32;
 /// m; more than a plan is granted.

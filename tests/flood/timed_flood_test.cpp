@@ -93,6 +93,22 @@ TEST_F(Floods, TakeTheShortestTimeIfNothingMoves) {
   EXPECT_EQ(run(), Progress::kFailed);
 }
 
+/// With little acceleration, a start and a goal at rest take longer than vias that are passed.
+TEST_F(Floods, InFlightNeitherGainNorBrake) {
+  query_.strongest = {0.5, 0.5, 0.5};
+  ASSERT_EQ(run(), Progress::kDone);
+  const double from_rest = arrival();
+  query_.begins_in_flight = true;
+  ASSERT_EQ(run(), Progress::kDone);
+  const double to_rest = arrival();
+  query_.ends_in_flight = true;
+  ASSERT_EQ(run(), Progress::kDone);
+  expect_way();
+  EXPECT_LT(to_rest, from_rest);
+  EXPECT_LT(arrival(), to_rest);
+  EXPECT_GE(arrival(), 6.8 - 1e-9);
+}
+
 /// Four layers for two steps: no way is more than a step too far along x, or two beside.
 TEST_F(Floods, LeaveOutWhatIsTooFarOff) {
   query_.from = {4.0, 2.0, 1.0};
@@ -225,7 +241,8 @@ TEST_F(Floods, WaysHaveFreeLegsWithTimes) {
     if (run() != Progress::kDone) continue;
     expect_way();
     TimedWay way;
-    timed_way_begin(*flood_, way);
+    way.count = 0;
+    timed_way_begin(*flood_, kMaxSegments, way);
     Work work{0xFFFFFFFFu};
     ASSERT_EQ(timed_way_advance(*flood_, world_.grid, way, work), Progress::kDone);
     double time = 0.0;

@@ -52,9 +52,10 @@ void spread(TimedFlood& flood, std::int32_t layer, const std::uint64_t* in, std:
   spread_layer(flood.lattice, steps, free_cells(flood), in, out, scratch_of(flood));
 }
 
-/// Clears what cannot be reached from a point with a velocity within `time`.
+/// Clears what cannot be reached from a point with a velocity within `time`. In flight, all can.
 void keep_reachable(const TimedFlood& flood, const Grid& grid, const Vec3& point, const Vec3& velocity, double time,
-                    std::uint64_t* layer) {
+                    bool in_flight, std::uint64_t* layer) {
+  if (in_flight) return;
   const FloodQuery& query = flood.query;
   clear_out_of_reach(flood.lattice, grid, {point, velocity, query.fastest, query.strongest, query.sharpest}, time,
                      layer);
@@ -87,7 +88,7 @@ void step_forward(TimedFlood& flood, const Grid& grid) {
   const double since = k * flood.step;
   std::uint64_t* const layer = reached(flood, k);
   spread(flood, k, reached(flood, k - 1), layer);
-  keep_reachable(flood, grid, flood.query.from, flood.query.velocity, since, layer);
+  keep_reachable(flood, grid, flood.query.from, flood.query.velocity, since, flood.query.begins_in_flight, layer);
   std::uint64_t* const clear = clear_cells(flood);
   for (std::int32_t r = 0; r < flood.lattice.words; ++r) clear[r] = free_cells(flood)[r];
   flood.track = 0;
@@ -105,6 +106,7 @@ void mark(TimedFlood& flood, const Grid& grid, Operations& spent) {
 
 /// The layers that braking takes longer than going on.
 std::int32_t braking_layers(const TimedFlood& flood) {
+  if (flood.query.ends_in_flight) return 0;
   double longest = 0.0;
   for (int a = 0; a < 3; ++a) {
     if (axis(flood.start, a) == axis(flood.goal, a)) continue;
@@ -152,7 +154,8 @@ void flood_backward(TimedFlood& flood, const Grid& grid) {
   const std::int32_t k = flood.layer;
   std::uint64_t* const layer = leading(flood, k);
   spread(flood, k + 1, leading(flood, k + 1), layer);
-  keep_reachable(flood, grid, flood.query.to, kZero, (flood.arrival - k) * flood.step, layer);
+  keep_reachable(flood, grid, flood.query.to, kZero, (flood.arrival - k) * flood.step, flood.query.ends_in_flight,
+                 layer);
   --flood.layer;
   if (!keep_common(flood.lattice, reached(flood, k), layer)) {
     flood.layer = flood.arrival + 1;

@@ -36,16 +36,18 @@ struct FloodQuery {
   Things things;
   Vec3 from;
   Vec3 to;
-  Vec3 velocity;      ///< at `from`
-  Vec3 fastest;       ///< m/s along each axis, > 0
-  Vec3 strongest;     ///< m/s^2 along each axis, > 0
-  Vec3 sharpest;      ///< m/s^3 along each axis, > 0; infinite if there is no limit
-  double begin;       ///< s of the things' clock: when the way begins
-  double rest;        ///< s that `to` is to stay clear
-  double longest;     ///< s: the way takes no longer
-  double share;       ///< of the speed, at most 1
-  double more;        ///< that the way keeps off things, in cells
-  std::int32_t edge;  ///< of a cell, voxels; larger if the layers do not fit
+  Vec3 velocity;          ///< at `from`
+  Vec3 fastest;           ///< m/s along each axis, > 0
+  Vec3 strongest;         ///< m/s^2 along each axis, > 0
+  Vec3 sharpest;          ///< m/s^3 along each axis, > 0; infinite if there is no limit
+  double begin;           ///< s of the things' clock: when the way begins
+  double rest;            ///< s that `to` is to stay clear
+  double longest;         ///< s: the way takes no longer
+  double share;           ///< of the speed, at most 1
+  double more;            ///< that the way keeps off things, in cells
+  std::int32_t edge;      ///< of a cell, voxels; larger if the layers do not fit
+  bool begins_in_flight;  ///< at a via, with a velocity that is not known yet: limits on acceleration leave out nothing
+  bool ends_in_flight;    ///< as above, at `to`: the way need not brake
 };
 
 enum class FloodPhase : std::uint8_t { kFree, kForward, kMark, kArrive, kBackward, kTrace, kEnd };

@@ -20,16 +20,15 @@ Vec3 point_of(const TimedFlood& flood, const Grid& grid, std::int32_t layer) {
   return middle_of(flood.lattice, grid, flood.way[layer]);
 }
 
-/// The most layers of a leg.
-std::int32_t longest_leg(const TimedFlood& flood) {
+/// The most layers of a leg, so that there are hardly more than `most`.
+std::int32_t longest_leg(const TimedFlood& flood, std::int32_t most) {
   const std::int32_t wanted = floor_index(kLongestLeg / flood.step, 1, kMaxFloodLayers);
-  const std::int32_t needed = flood.arrival / (1 + 3 * kMaxSegments / 4) + 1;
+  const std::int32_t needed = flood.arrival / (1 + most) + 1;
   return wanted < needed ? needed : wanted;
 }
 
 /// The layer that a leg reaches at most. A leg that stays in its cell may be longer.
-std::int32_t first_trial(const TimedFlood& flood, std::int32_t knot) {
-  const std::int32_t longest = longest_leg(flood);
+std::int32_t first_trial(const TimedFlood& flood, std::int32_t longest, std::int32_t knot) {
   std::int32_t end = knot + longest;
   if (end > flood.arrival) return flood.arrival;
   std::int32_t stays = knot;
@@ -65,11 +64,11 @@ bool is_leg(const TimedFlood& flood, const Grid& grid, std::int32_t begin, std::
 
 }  // namespace
 
-void timed_way_begin(const TimedFlood& flood, TimedWay& way) noexcept {
-  way.count = 0;
-  way.points[0] = flood.query.from;
+void timed_way_begin(const TimedFlood& flood, std::int32_t most, TimedWay& way) noexcept {
+  way.points[way.count] = flood.query.from;
+  way.longest = longest_leg(flood, most);
   way.knot = 0;
-  way.trial = first_trial(flood, 0);
+  way.trial = first_trial(flood, way.longest, 0);
 }
 
 Progress timed_way_advance(const TimedFlood& flood, const Grid& grid, TimedWay& way, Work& work) noexcept {
@@ -87,7 +86,7 @@ Progress timed_way_advance(const TimedFlood& flood, const Grid& grid, TimedWay& 
     ++way.count;
     way.points[way.count] = point_of(flood, grid, way.trial);
     way.knot = way.trial;
-    way.trial = first_trial(flood, way.knot);
+    way.trial = first_trial(flood, way.longest, way.knot);
   }
   return Progress::kFailed;
 }

@@ -18,16 +18,18 @@ namespace tern {
 /// Legs last no longer than this, s, unless they rest or there were too many.
 constexpr double kLongestLeg = 1.3;
 
-/// Local frame of the grid.
+/// Several floods, one behind the other, may lead a way. Local frame of the grid.
 struct TimedWay {
   std::int32_t count;             ///< legs
   Vec3 points[kMaxWaypoints];     ///< count + 1
   double duration[kMaxSegments];  ///< s, of each leg
   std::int32_t knot;              ///< layer at which the next leg begins
   std::int32_t trial;             ///< layer at which it may end
+  std::int32_t longest;           ///< layers of a leg
 };
 
-void timed_way_begin(const TimedFlood& flood, TimedWay& way) noexcept;
+/// Begins to append the flood's way to `count` legs, in `most` legs or somewhat more.
+void timed_way_begin(const TimedFlood& flood, std::int32_t most, TimedWay& way) noexcept;
 
 /// Makes each leg as long as sight and things allow, a straight line flown evenly. A piece of work is a look along a
 /// leg. kFailed: there are too many legs.

@@ -32,14 +32,16 @@ void set_pauses(const Problem& problem, const EndStop& start_stop, const Chain& 
 
 }  // namespace
 
-void keep(const Path& path, const Corridor& corridor, Kept& kept) noexcept {
+void keep(const Path& path, const ViaMarks& marks, const Corridor& corridor, Kept& kept) noexcept {
+  kept.marks = marks;
   kept.corridor = corridor;
   kept.points = path.count;
   for (int i = 0; i < path.count; ++i) kept.path[i] = path.points[i];
   kept.length = path.length;
 }
 
-void bring_back(const Kept& kept, Path& path, Corridor& corridor) noexcept {
+void bring_back(const Kept& kept, Path& path, ViaMarks& marks, Corridor& corridor) noexcept {
+  marks = kept.marks;
   corridor = kept.corridor;
   path.count = kept.points;
   for (int i = 0; i < path.count; ++i) path.points[i] = kept.path[i];

@@ -26,14 +26,16 @@ struct Kept {
   std::int32_t points;  ///< of its path
   Vec3 path[kMaxWaypoints];
   double length;
+  ViaMarks marks;
 };
 
 /// The plans that the search for one around things begins from, and falls back to.
 struct AroundMemory {
-  Kept alone;        ///< the plan as if nothing moved
-  Trajectory found;  ///< around things in its corridor, with stops and dwells
-  Trajectory seed;   ///< of the current way
-  TimedWay way;
+  Kept alone;                    ///< the plan as if nothing moved
+  Trajectory found;              ///< around things in its corridor, with stops and dwells
+  Trajectory seed;               ///< of the current way
+  std::int32_t joint[kMaxVias];  ///< as in ViaMemory, of the one found
+  TimedSeed timed;
 };
 
 struct Around {
@@ -75,8 +77,8 @@ constexpr double kGoodEnough = 1.02;
 constexpr double kLongestFlood = 1.6;
 
 /// Keeps what the search for other ways overwrites, and brings it back.
-void keep(const Path& path, const Corridor& corridor, Kept& kept) noexcept;
-void bring_back(const Kept& kept, Path& path, Corridor& corridor) noexcept;
+void keep(const Path& path, const ViaMarks& marks, const Corridor& corridor, Kept& kept) noexcept;
+void bring_back(const Kept& kept, Path& path, ViaMarks& marks, Corridor& corridor) noexcept;
 
 /// Makes the first seed of the plan as if nothing moved: the same curve in `most` segments at most, or as many as it
 /// has.

@@ -19,7 +19,7 @@ void Pipeline::begin_around() noexcept {
   around.quality = quality_;
   around.optimiser = optimiser_;
   around.alone = duration(memory.trajectory);
-  keep(memory.path, memory.corridor, memory.around.alone);
+  keep(memory.path, memory.vias.marks, memory.corridor, memory.around.alone);
   const Trajectory& alone = memory.around.alone.trajectory;
   const int stops_and_dwells = memory.trajectory.count - alone.count;
   halve_segments(alone, kMaxSegments - stops_and_dwells, memory.around.seed);
@@ -31,13 +31,18 @@ void Pipeline::go_on_around(bool done) noexcept {
   Around& around = attempts_.around;
   around.is_flooding = false;
   if (stage_ == Stage::kTrajectory && curves_.status == Status::kSeparationsFull) around.lacking = curves_.status;
+  if (stage_ == Stage::kTracks) {
+    const TimedSeed& timed = memory.around.timed;
+    raise(flood_words_, timed.words);
+    if (around.lacking == Status::kOk) around.lacking = timed.lacking;
+  }
   if (!done) return next_seed();
   switch (stage_) {
     case Stage::kTracks:
-      take_way(memory.around.way, memory.path);
+      take_way(memory.around.timed, memory.path, memory.vias.marks);
       return enter(Stage::kCorridor);
     case Stage::kCorridor:
-      if (!make_seed(memory.around.way, memory.corridor, memory.ends, memory.around.seed)) return next_seed();
+      if (!make_seed(memory.around.timed.way, memory.corridor, memory.ends, memory.around.seed)) return next_seed();
       return enter(Stage::kTimes);
     case Stage::kTimes:
       return enter(Stage::kTrajectory);
@@ -57,8 +62,9 @@ void Pipeline::judge_around(bool is_clear) noexcept {
   if (!is_clear) return next_seed();
   const double lasts = duration(memory.trajectory);
   const bool is_first = around.seed == 0 && !around.is_last;
-  if (is_first && lasts > kGoodEnough * around.alone && may_flood(problem_)) {
+  if (is_first && lasts > kGoodEnough * around.alone) {
     memory.around.found = memory.trajectory;
+    for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];
     around.found = lasts;
     return next_seed();
   }
@@ -72,21 +78,20 @@ void Pipeline::next_seed() noexcept {
   Around& around = attempts_.around;
   const int most = around.found > 0.0 ? kFastSeeds : kTimedSeeds;
   const double longest = around.found > 0.0 ? around.found : kLongestFlood * around.alone;
-  while (may_flood(problem_) && around.seed < most && !around.is_last) {
+  while (around.seed < most && !around.is_last) {
     const std::int32_t seed = around.seed++;
-    const Status status =
-        timed_seed_begin(problem_, memory.ends, memory.stops[0], seed, longest, memory.stage.flood, memory.around.way);
-    if (status != Status::kRunning) {
-      if (around.lacking == Status::kOk) around.lacking = status;
+    TimedSeed& timed = memory.around.timed;
+    if (!timed_seed_begin(problem_, memory.ends, memory.stops[0], seed, longest, memory.stage.flood, timed)) {
+      if (around.lacking == Status::kOk) around.lacking = timed.lacking;
       continue;
     }
-    raise(flood_words_, static_cast<std::int32_t>(words_of(memory.stage.flood)));
     around.is_flooding = true;
     return enter(Stage::kTracks);
   }
-  bring_back(memory.around.alone, memory.path, memory.corridor);
+  bring_back(memory.around.alone, memory.path, memory.vias.marks, memory.corridor);
   if (around.found <= 0.0 || around.is_last) return give_up_around();
   memory.trajectory = memory.around.found;
+  for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.vias.joint[v] = memory.around.joint[v];
   quality_ = Quality::kOptimised;
   around.is_last = true;
   enter(Stage::kCheck);

@@ -32,7 +32,7 @@ struct StageBound {
 StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept;
 /// Of what the trajectory stage does besides for so many tracks.
 StageBound around_bound(std::int32_t count) noexcept;
-/// Of the floods in time for one plan.
+/// Of the floods in time for one leg of a plan, between vias.
 StageBound timed_bound(std::int32_t count, const GridSpec& spec) noexcept;
 /// Of the proof of one plan against so many tracks.
 StageBound tracks_bound(std::int32_t count) noexcept;

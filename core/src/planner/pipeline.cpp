@@ -234,7 +234,7 @@ Progress Pipeline::run(Work& work) noexcept {
       return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
     case Stage::kTracks:
       if (attempts_.around.is_flooding) {
-        return timed_seed_advance(problem_, m.ends, m.stage.flood, m.around.way, work);
+        return timed_seed_advance(problem_, m.ends, m.stage.flood, m.around.timed, work);
       }
       return look_for_time(work);
     case Stage::kRequest:

@@ -7,6 +7,7 @@
 #include "curve/hermite.hpp"
 #include "curve/rest.hpp"
 #include "grid/lattice.hpp"
+#include "planner/validate.hpp"
 #include "times/trapezoid.hpp"
 
 namespace tern {
@@ -98,65 +99,116 @@ void allow_for_gaining(const Vec3& delta, const MotionLimits& limits, Run& run, 
   run.time += duration;
 }
 
+/// The via that the seed's leg comes from, or leads to; null: the start, or the goal.
+const Via* via_from(const Problem& problem, const TimedSeed& seed) {
+  return seed.leg == 0 ? nullptr : problem.vias + seed.leg - 1;
+}
+const Via* via_to(const Problem& problem, const TimedSeed& seed) {
+  return seed.leg == problem.via_count ? nullptr : problem.vias + seed.leg;
+}
+
+bool is_passed(const Via* via) {
+  return via != nullptr && !via->stop;
+}
+
 /// Lengthens the legs beside an end or a rest that are shorter than it takes to gain speed, or to lose it. The flood's
 /// cells are too wide to tell; with durations in which its first leg cannot be flown, no programme has a solution.
-void allow_for_gaining(const Problem& problem, const Ends& ends, TimedWay& way, Work& work) {
-  work.spend(2 * kGainOperations * way.count);
-  Run run{length(ends.start.velocity), 0.0, 0.0};
-  for (int i = 0; i < way.count; ++i)
+void allow_for_gaining(const Problem& problem, const Ends& ends, TimedSeed& seed, Work& work) {
+  TimedWay& way = seed.way;
+  work.spend(2 * kGainOperations * (way.count - seed.first));
+  const bool comes_from_via = seed.leg > 0;
+  Run run{comes_from_via ? 0.0 : length(ends.start.velocity), 0.0, 0.0};
+  for (int i = seed.first; i < way.count && !is_passed(via_from(problem, seed)); ++i)
     allow_for_gaining(way.points[i + 1] - way.points[i], problem.limits, run, way.duration[i]);
   const MotionLimits braking = backwards(problem.limits);
-  run = {length(ends.goal.velocity), 0.0, 0.0};
-  for (int i = way.count - 1; i >= 0; --i)
+  const bool leads_to_via = seed.leg < problem.via_count;
+  run = {leads_to_via ? 0.0 : length(ends.goal.velocity), 0.0, 0.0};
+  for (int i = way.count - 1; i >= seed.first && !is_passed(via_to(problem, seed)); --i)
     allow_for_gaining(way.points[i] - way.points[i + 1], braking, run, way.duration[i]);
+}
+
+/// Begins the flood of the seed's leg. False if it lacks room.
+bool leg_begin(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedSeed& seed) {
+  const FloodTry& of = kTries[seed.number];
+  const Grid& grid = voxels_of(problem);
+  const Via* const from = via_from(problem, seed);
+  const Via* const to = via_to(problem, seed);
+  FloodQuery query{};
+  query.things = things_of(problem, grid.spec().origin);
+  query.from = from == nullptr ? ends.start_in_grid : to_local(grid, from->position);
+  query.to = to == nullptr ? ends.goal_in_grid : to_local(grid, to->position);
+  query.velocity = from == nullptr ? ends.start.velocity : kZero;
+  query.begins_in_flight = is_passed(from);
+  query.ends_in_flight = is_passed(to);
+  query.fastest = symmetric(problem.limits.velocity);
+  query.strongest = symmetric(problem.limits.acceleration);
+  query.sharpest = symmetric(problem.limits.jerk);
+  query.begin = seed.begin;
+  query.rest = to != nullptr ? to->dwell : at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
+  query.longest = seed.longest;
+  query.share = of.share;
+  query.more = of.more;
+  query.edge = edge_of(problem, of.size, larger(query.fastest.x, query.fastest.y));
+  seed.first = seed.way.count;
+  seed.is_led = false;
+  seed.lacking = timed_flood_begin(flood, grid, query);
+  if (seed.lacking != Status::kRunning) return false;
+  seed.lacking = Status::kOk;
+  raise(seed.words, static_cast<std::int32_t>(words_of(flood)));
+  return true;
+}
+
+/// Goes on to the next leg, once this one has its way. False if there is no room, or no time.
+bool next_leg(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedSeed& seed) {
+  double lasts = problem.vias[seed.leg].dwell;
+  for (int i = seed.first; i < seed.way.count; ++i) lasts += seed.way.duration[i];
+  seed.waypoint[seed.leg] = seed.way.count;
+  seed.begin += lasts;
+  seed.longest -= lasts;
+  ++seed.leg;
+  return seed.longest > 0.0 && leg_begin(problem, ends, flood, seed);
 }
 
 }  // namespace
 
-bool may_flood(const Problem& problem) noexcept {
-  return problem.via_count == 0;
+bool timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, int number, double longest,
+                      TimedFlood& flood, TimedSeed& seed) noexcept {
+  seed.way.count = 0;
+  seed.number = number;
+  seed.leg = 0;
+  seed.longest = longest / (kTries[number].share * kTries[number].share);
+  seed.begin = 0.0;
+  seed.words = 0;
+  for (int i = 0; i < start_stop.count; ++i) seed.begin += start_stop.segments[i].duration;
+  return leg_begin(problem, ends, flood, seed);
 }
 
-Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, int seed, double longest,
-                        TimedFlood& flood, TimedWay& way) noexcept {
-  const FloodTry& of = kTries[seed];
-  const Grid& grid = voxels_of(problem);
-  FloodQuery query{};
-  query.things = things_of(problem, grid.spec().origin);
-  query.from = ends.start_in_grid;
-  query.to = ends.goal_in_grid;
-  query.velocity = ends.start.velocity;
-  query.fastest = symmetric(problem.limits.velocity);
-  query.strongest = symmetric(problem.limits.acceleration);
-  query.sharpest = symmetric(problem.limits.jerk);
-  for (int i = 0; i < start_stop.count; ++i) query.begin += start_stop.segments[i].duration;
-  query.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
-  query.longest = longest / (of.share * of.share);
-  query.share = of.share;
-  query.more = of.more;
-  query.edge = edge_of(problem, of.size, larger(query.fastest.x, query.fastest.y));
-  way.count = -1;
-  return timed_flood_begin(flood, grid, query);
-}
-
-Progress timed_seed_advance(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedWay& way,
+Progress timed_seed_advance(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedSeed& seed,
                             Work& work) noexcept {
   const Grid& grid = voxels_of(problem);
-  if (way.count < 0) {
-    const Progress progress = timed_flood_advance(flood, grid, work);
+  for (std::int32_t k = 0; k <= kMaxVias; ++k) {
+    if (!seed.is_led) {
+      const Progress progress = timed_flood_advance(flood, grid, work);
+      if (progress != Progress::kDone) return progress;
+      timed_way_begin(flood, 3 * kMaxSegments / (4 * (problem.via_count + 1)), seed.way);
+      seed.is_led = true;
+    }
+    const Progress progress = timed_way_advance(flood, grid, seed.way, work);
     if (progress != Progress::kDone) return progress;
-    timed_way_begin(flood, way);
+    allow_for_gaining(problem, ends, seed, work);
+    if (seed.leg == problem.via_count) return Progress::kDone;
+    if (!next_leg(problem, ends, flood, seed)) return Progress::kFailed;
   }
-  const Progress progress = timed_way_advance(flood, grid, way, work);
-  if (progress == Progress::kDone) allow_for_gaining(problem, ends, way, work);
-  return progress;
+  return Progress::kFailed;
 }
 
-void take_way(const TimedWay& way, Path& path) noexcept {
+void take_way(const TimedSeed& seed, Path& path, ViaMarks& marks) noexcept {
+  const TimedWay& way = seed.way;
   path.count = way.count + 1;
   path.length = 0.0;
   for (int i = 0; i <= way.count; ++i) path.points[i] = way.points[i];
   for (int i = 0; i < way.count; ++i) path.length += distance(way.points[i], way.points[i + 1]);
+  for (std::int32_t v = 0; v < marks.count; ++v) marks.waypoint[v] = seed.waypoint[v];
 }
 
 bool make_seed(const TimedWay& way, const Corridor& corridor, const Ends& ends, Trajectory& seed) noexcept {

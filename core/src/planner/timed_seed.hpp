@@ -8,6 +8,7 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
+#include "corridor/corridor_stage.hpp"
 #include "flood/timed_flood.hpp"
 #include "flood/timed_way.hpp"
 #include "planner/end_stop.hpp"
@@ -24,18 +25,29 @@ constexpr int kTimedSeeds = 7;
 /// If there is a plan already, only so many.
 constexpr int kFastSeeds = 3;
 
-/// True if the flood can lead this plan: it knows no vias.
-bool may_flood(const Problem& problem) noexcept;
+/// A way through all vias: a flood for each leg, which begins when the one before has arrived and dwelt.
+struct TimedSeed {
+  TimedWay way;
+  int number;          ///< of the try
+  std::int32_t leg;    ///< leads to the via of this index, or to the goal
+  bool is_led;         ///< the leg's flood has found its way
+  std::int32_t first;  ///< the first of its legs in `way`
+  double longest;      ///< s that all may take
+  double begin;        ///< s of the things' clock: when the leg begins
+  Status lacking;      ///< a capacity that did not suffice; else kOk
+  std::int32_t words;  ///< of the largest flood
+  std::int32_t waypoint[kMaxVias];
+};
 
-/// Begins flood number `seed`, for ways of `longest` seconds at most. kRunning or kFloodFull.
-Status timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, int seed, double longest,
-                        TimedFlood& flood, TimedWay& way) noexcept;
-/// Its pieces are those of the flood and of its way. kFailed: there is none.
-Progress timed_seed_advance(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedWay& way,
+/// Begins flood number `number`, for ways of `longest` seconds at most. False if it lacks room.
+bool timed_seed_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, int number, double longest,
+                      TimedFlood& flood, TimedSeed& seed) noexcept;
+/// Its pieces are those of the floods and of their ways. kFailed: there is none, or `lacking` says why.
+Progress timed_seed_advance(const Problem& problem, const Ends& ends, TimedFlood& flood, TimedSeed& seed,
                             Work& work) noexcept;
 
 /// Makes the way's legs the path's.
-void take_way(const TimedWay& way, Path& path) noexcept;
+void take_way(const TimedSeed& seed, Path& path, ViaMarks& marks) noexcept;
 
 /// The legs of the way as a trajectory through the corridor along it. False if it has too many segments.
 bool make_seed(const TimedWay& way, const Corridor& corridor, const Ends& ends, Trajectory& seed) noexcept;
