@@ -53,7 +53,9 @@
 #define TERN_LAYOUT_FLEET(FIELD)                                                                                     \
   FIELD(tern_fleet_spec, id) FIELD(tern_fleet_spec, incarnation) FIELD(tern_fleet_spec, priority)                    \
   FIELD(tern_fleet_spec, radius) FIELD(tern_fleet_spec, clock_error) FIELD(tern_fleet_spec, tick)                    \
-  FIELD(tern_fleet_spec, speed) FIELD(tern_fleet_report, announcement) FIELD(tern_fleet_report, blocked)             \
+  FIELD(tern_fleet_spec, speed) FIELD(tern_fleet_spec, range) FIELD(tern_fleet_range, join)                          \
+  FIELD(tern_fleet_range, heard) FIELD(tern_fleet_range, speed) FIELD(tern_fleet_range, within)                      \
+  FIELD(tern_fleet_range, lease) FIELD(tern_fleet_report, announcement) FIELD(tern_fleet_report, blocked)             \
   FIELD(tern_fleet_report, blocked_by) FIELD(tern_fleet_report, cleared) FIELD(tern_neighbour, id)                   \
   FIELD(tern_neighbour, incarnation) FIELD(tern_neighbour, heard) FIELD(tern_neighbour, priority)                    \
   FIELD(tern_neighbour, has_right_of_way) FIELD(tern_neighbour, has_left) FIELD(tern_neighbour, ready) \

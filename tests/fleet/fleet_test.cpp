@@ -279,7 +279,9 @@ TEST_F(FleetPair, WhatPacketsBring) {
   EXPECT_EQ(fleet(0).receive(other, size, now_), Heard::kStranger);
   other[0] = 0x20;
   EXPECT_EQ(fleet(0).receive(other, size, now_), Heard::kOtherVersion);
-  other[0] = 0x12;
+  other[0] = 0x12;  // a beacon: members are by list
+  EXPECT_EQ(fleet(0).receive(other, size, now_), Heard::kOld);
+  other[0] = 0x14;
   EXPECT_EQ(fleet(0).receive(other, size, now_), Heard::kDamaged);
   other[0] = 0x11;
   other[1] = 2;

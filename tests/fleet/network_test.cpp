@@ -18,13 +18,20 @@ struct Flown {
   int least_taken = 1 << 30;
   int taken = 0;
   int announced = 0;
+  int met = 0;  ///< members that came or went
 };
 
 Flown fly(const SwarmSpec& spec, std::uint64_t seed, double seconds) {
   auto swarm = std::make_unique<Swarm>(spec, seed);
   Flown flown;
+  std::vector<int> members(static_cast<std::size_t>(spec.vehicles));
   while (swarm->seconds() < seconds) {
     swarm->step();
+    for (int v = 0; v < spec.vehicles; ++v) {
+      int& before = members[static_cast<std::size_t>(v)];
+      flown.met += std::abs(swarm->members(v) - before);
+      before = swarm->members(v);
+    }
     flown.least_gap = std::min(flown.least_gap, swarm->least_gap());
   }
   for (int v = 0; v < spec.vehicles; ++v) {
@@ -46,9 +53,11 @@ void expect_apart(const char* name, const SwarmSpec& spec, int least_taken) {
     all.least_taken = std::min(all.least_taken, flown.least_taken);
     all.taken += flown.taken;
     all.announced += flown.announced;
+    all.met += flown.met;
   }
-  std::printf("%-28s gap %.4f m, taken %d of %d, least %d\n", name, all.least_gap, all.taken, all.announced,
-              all.least_taken);
+  std::printf("%-28s gap %.4f m, taken %d of %d, least %d, met %d\n", name, all.least_gap, all.taken, all.announced,
+              all.least_taken, all.met);
+  EXPECT_TRUE(!spec.by_range || all.met > tern_test::scaled(10) * spec.vehicles) << name;
 }
 
 TEST(FleetNetwork, Good) {
@@ -127,6 +136,27 @@ TEST(FleetNetwork, TheFirstOneLeaves) {
   spec.link.loss = 0.3;
   spec.link.delay = 10;
   expect_apart("the first one leaves", spec, 1);
+}
+
+TEST(FleetNetwork, ByRange) {
+  for (const double loss : {0.0, 0.3}) {
+    SwarmSpec spec;
+    spec.by_range = true;
+    spec.link.loss = loss;
+    spec.link.delay = loss > 0.0 ? 20 : 0;
+    spec.clock_error = loss > 0.0 ? kSecond / 50 : 0;
+    expect_apart(("by range, loss " + std::to_string(loss)).c_str(), spec, 1);
+  }
+}
+
+TEST(FleetNetwork, ByRangeWithRestarts) {
+  SwarmSpec spec;
+  spec.by_range = true;
+  spec.restarts = 0.03;
+  spec.link.loss = 0.2;
+  spec.link.delay = 20;
+  spec.clock_error = kSecond / 50;
+  expect_apart("by range, restarts", spec, 0);
 }
 
 }  // namespace

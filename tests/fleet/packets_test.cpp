@@ -128,13 +128,13 @@ TEST(FleetPackets, RefusesWhatDoesNotFitTheMessage) {
   EXPECT_FALSE(tern::read_packet(nullptr, 27, head));
 }
 
-TEST(FleetStateBytes, ComesBack) {
-  std::uint8_t bytes[tern::state_bytes(2)] = {};
+void expect_state_comes_back(bool by_range) {
+  std::uint8_t bytes[tern::state_bytes(2, true)] = {};
   tern::ByteWriter out(bytes);
-  tern::write_state({4, 11, 12, -13, 14, 15, 350, 200, true}, 2, out);
-  tern::append_answer({5, 21, 22, tern::Consent::kNo, false}, out);
-  tern::append_answer({6, 31, 32, tern::Consent::kYes, true}, out);
-  ASSERT_EQ(out.size(), 33 + 2 * 12);
+  tern::write_state({4, 11, 12, -13, 14, 15, 350, 200, true, by_range ? 16 : 0}, 2, out);
+  tern::append_answer({5, 21, 22, tern::Consent::kNo, false, 23, 24, false}, by_range, out);
+  tern::append_answer({6, 31, 32, tern::Consent::kYes, true, 33, 34, true}, by_range, out);
+  ASSERT_EQ(out.size(), by_range ? 41 + 2 * 21 : 33 + 2 * 12);
   tern::StateHead state{};
   tern::Answer answer{};
   ASSERT_TRUE(tern::read_state(bytes, out.size(), 6, state, answer));
@@ -147,13 +147,22 @@ TEST(FleetStateBytes, ComesBack) {
   EXPECT_EQ(state.radius, 350);
   EXPECT_EQ(state.priority, 200);
   EXPECT_TRUE(state.has_left);
+  EXPECT_EQ(state.until, by_range ? 16 : 0);
   EXPECT_EQ(answer.incarnation, 31u);
   EXPECT_EQ(answer.number, 32u);
   EXPECT_EQ(answer.consent, tern::Consent::kYes);
   EXPECT_TRUE(answer.lacks_flown);
+  EXPECT_EQ(answer.link, by_range ? 33u : 0u);
+  EXPECT_EQ(answer.its, by_range ? 34u : 0u);
+  EXPECT_EQ(answer.promises, by_range);
   ASSERT_TRUE(tern::read_state(bytes, out.size(), 7, state, answer));
   EXPECT_EQ(answer.incarnation, 0u) << "no answer to 7";
   for (std::int32_t size = 0; size < out.size(); ++size) EXPECT_FALSE(tern::read_state(bytes, size, 6, state, answer));
+}
+
+TEST(FleetStateBytes, ComesBack) {
+  expect_state_comes_back(false);
+  expect_state_comes_back(true);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct SwarmSpec {
   double careless = 0.2;         ///< share of plans that take no notice of traffic
   double restarts = 0.0;         ///< a vehicle begins anew in a second, probability
   std::uint32_t work = 1000;     ///< units a tick
+  bool by_range = false;         ///< they roam far and wide, and only those that are near are members
   bool first_leaves = false;     ///< the one with the right of way over all leaves in the middle
 };
 
@@ -43,7 +44,9 @@ class Swarm {
       Vehicle& vehicle = *vehicles_.back();
       const double share = 6.283185307 * v / spec.vehicles;
       vehicle.off = static_cast<std::int64_t>(random_.real(0.0, 1.0) * static_cast<double>(spec.clock_error));
-      vehicle.flown = resting({5.0 * std::cos(share), 5.0 * std::sin(share), 2.0}, 0);
+      const double out = spec.by_range ? 30.0 : 5.0;
+      vehicle.flown = resting({out * std::cos(share), out * std::sin(share), 2.0}, 0);
+      vehicle.heading = vehicle.flown.origin;
       begin(v, 0);
     }
   }
@@ -71,6 +74,7 @@ class Swarm {
   }
   int taken(int v) const { return vehicles_[static_cast<std::size_t>(v)]->taken; }
   int announced(int v) const { return vehicles_[static_cast<std::size_t>(v)]->announced; }
+  int members(int v) const { return vehicles_[static_cast<std::size_t>(v)]->fleet.neighbours(); }
   double seconds() const { return 0.01 * step_; }
 
  private:
@@ -78,6 +82,7 @@ class Swarm {
     tern::Fleet fleet;
     tern::Trajectory flown{};
     tern::Trajectory next{};
+    tern::Vec3 heading{};  ///< by range: where it is on its way to
     std::int64_t off = 0;  ///< of its clock
     std::uint32_t incarnation = 0;
     bool waits = false;  ///< a plan is announced
@@ -98,9 +103,10 @@ class Swarm {
     spec.clock_error = spec_.clock_error;
     spec.tick = kSecond / 5;
     spec.speed = 3.0;
+    if (spec_.by_range) spec.range = range();
     EXPECT_EQ(vehicle.fleet.begin(spec, vehicle.flown, now), tern::Status::kOk);
     vehicle.waits = false;
-    for (int other = 0; other < spec_.vehicles; ++other) {
+    for (int other = 0; !spec_.by_range && other < spec_.vehicles; ++other) {
       if (other != v) vehicle.fleet.add(static_cast<std::uint16_t>(other + 1), now);
     }
   }
@@ -134,11 +140,33 @@ class Swarm {
     }
   }
 
+  static constexpr double kTopSpeed = 3.5;
+  static tern::FleetRange range() {
+    tern::FleetRange range;
+    range.join = 26.0;
+    range.heard = 200.0;
+    range.speed = kTopSpeed;
+    range.within = 4 * kSecond;
+    range.lease = 8 * kSecond;
+    return range;
+  }
+  /// Anywhere in the middle; or, by range, a few metres from a place towards where the vehicle is on its way to.
+  tern::Vec3 target(const tern::Vec3& from, Vehicle& vehicle) {
+    if (!spec_.by_range) return {random_.real(-6.0, 6.0), random_.real(-6.0, 6.0), random_.real(0.0, 4.0)};
+    tern::Vec3& to = vehicle.heading;
+    if (random_.chance(0.05) || between(from, to) < 3.0)
+      to = {random_.real(-30.0, 30.0), random_.real(-30.0, 30.0), 2.0};
+    const double part = 4.0 / (4.0 + between(from, to));
+    return {from.x + part * (to.x - from.x) + random_.real(-1.0, 1.0),
+            from.y + part * (to.y - from.y) + random_.real(-1.0, 1.0), random_.real(0.0, 4.0)};
+  }
+
   /// From the state at the takeover to a place at rest.
-  tern::Trajectory plan_from(const tern::Trajectory& flown, std::int64_t takeover) {
+  tern::Trajectory plan_from(Vehicle& vehicle, std::int64_t takeover) {
+    const tern::Trajectory& flown = vehicle.flown;
     const tern::Sample at = tern::evaluate(flown, tern::time_on(flown, takeover));
     tern::Trajectory plan = resting(at.position, takeover);
-    tern::Vec3 to{random_.real(-6.0, 6.0), random_.real(-6.0, 6.0), random_.real(0.0, 4.0)};
+    const tern::Vec3 to = target(at.position, vehicle);
     const double t = 1.5 + 0.6 * between(at.position, to);
     tern::Segment& segment = plan.segments[0];
     segment.duration = t;
@@ -164,7 +192,8 @@ class Swarm {
     EXPECT_EQ(vehicle.fleet.traffic(now, tracks, 32, pieces.data(), 64, count), tern::Status::kOk);
     const bool cares = !random_.chance(spec_.careless);
     for (int turn = 0; turn < 6; ++turn) {
-      const tern::Trajectory plan = plan_from(vehicle.flown, takeover);
+      const tern::Trajectory plan = plan_from(vehicle, takeover);
+      if (spec_.by_range && is_too_fast(plan)) continue;
       tern::TrackGrounds grounds;
       grounds.tracks = tracks;
       grounds.count = count;
@@ -177,6 +206,16 @@ class Swarm {
       ++vehicle.announced;
       return;
     }
+  }
+
+  /// On any axis, by samples and with some to spare.
+  static bool is_too_fast(const tern::Trajectory& plan) {
+    bool is = false;
+    for (int k = 0; k <= 50; ++k) {
+      const tern::Vec3 v = tern::evaluate(plan, 0.02 * k * plan.segments[0].duration).velocity;
+      is = is || std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > 0.98 * kTopSpeed;
+    }
+    return is;
   }
 
   double least_gap(int a, int b) const {

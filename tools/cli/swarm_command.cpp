@@ -60,6 +60,10 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
               result.most_fleet_units);
   std::printf("  %.1f s flown in %.1f s of processor time; hash %016" PRIx64 "\n", result.time, result.computed,
               result.hash);
+  if (result.most_members > 0 && static_cast<std::size_t>(result.most_members) + 1 < world.tasks.size()) {
+    std::printf("  up to %d members of a vehicle's fleet, %.1f on average\n", result.most_members,
+                static_cast<double>(result.member_ticks) / static_cast<double>(result.ticks));
+  }
   if (result.most_untold > 0) {
     std::printf("  up to %d plans of others were too many for a flight, which knew the nearest ones\n",
                 result.most_untold);
@@ -81,7 +85,8 @@ void check_options(const SwarmOptions& options) {
   const tern_host::SwarmSettings& s = options.settings;
   const double numbers[] = {s.links.loss,     s.links.burst,       s.links.delay_min, s.links.delay_max,
                             s.links.repeated, s.links.silent_from, s.clock_error,     s.restarts,
-                            s.send_hz,        s.clearance,         s.discover,        s.late};
+                            s.send_hz,        s.clearance,         s.discover,        s.late,
+                            s.range};
   for (const double number : numbers) {
     if (!std::isfinite(number)) throw std::runtime_error("all numbers must be finite");
   }
@@ -171,6 +176,10 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--time-limit", options->time_limit, "s of flight at most (default: of the scene)")
       ->check(CLI::Range(0.0, 3600.0));
+  command
+      ->add_option("--range", s.range,
+                   "Only who is that near is a member of a vehicle's fleet, m; radios reach three times as far")
+      ->check(CLI::Range(0.0, 1000.0));
   command
       ->add_option("--discover", s.discover,
                    "What stands still is not known: each finds it by a lidar of this range, m, and has its own map")

@@ -18,6 +18,24 @@
 
 namespace tern {
 
+/// Members by range: vehicles that come near become members by themselves, and those that go far away are none any
+/// more. From all others, a vehicle keeps clear whatever they do. docs/fleet.md says what must be true for that.
+/// Distances are those on the axis on which they are largest.
+struct FleetRange {
+  /// m: so near, another vehicle becomes a member; a quarter farther away, it is none any more. At most kMaxNeighbours
+  /// do, the nearest ones. 0: members are those of Fleet::add() alone, and nothing else here counts.
+  double join = 0.0;
+  /// m, above 0: of each vehicle whose body is nearer than that all the time, a beacon comes in any time of `within`.
+  double heard = 0.0;
+  /// m/s, above 0, on each axis: no vehicle of the fleet is ever faster.
+  double speed = 0.0;
+  /// ns, above 0, at most a minute. After begin(), no plan is taken over that soon.
+  int64_t within = 0;
+  /// ns, above 0, at most an hour: for how long a vehicle promises a member to ask it and to tell it. Longer than plans
+  /// take from their announcement to their rest. After a restart that lost this Fleet, begin() must wait that long.
+  int64_t lease = 0;
+};
+
 /// A vehicle as a member of a fleet. It stays the same from one Fleet::begin() to the next.
 struct FleetSpec {
   /// Who it is. Every vehicle has another number.
@@ -37,6 +55,7 @@ struct FleetSpec {
   int64_t tick = 0;
   /// m/s, >= 0: how fast it flies, for traffic() alone.
   double speed = 0.0;
+  FleetRange range;
 };
 
 /// What became of the last plan that was announced. The numbers are part of the ABI.
@@ -57,6 +76,8 @@ enum class FleetBlock : uint8_t {
   kUnanswered,  ///< the answer of this member, which has the right of way, did not come before the takeover
   kRestarted,   ///< this member was begun or added, or left, in the meantime
   kLate,        ///< advance() was called too late, or had too little work, for the takeover
+  kStranger,    ///< the plan is not clear of all that this vehicle may do until it ends: it is no member yet, by range
+  kUnheard,     ///< the same of vehicles too far away to be heard: the plan leads too far, or begin() was just now
 };
 
 struct FleetReport {
@@ -95,9 +116,15 @@ struct Neighbour {
 /// Bytes of the smallest packet that write() makes. They suit every link with packets of 27 bytes or more.
 constexpr int32_t kFleetPacketBytes = 27;
 
+/// Room that write() needs to tell others of this vehicle's place, where members come by range.
+constexpr int32_t kFleetBeaconRoom = 59;
+/// Vehicles whose places a fleet remembers, where members come by range. Of more, it remembers the nearest ones, and
+/// plans end before the others can reach them (FleetBlock::kUnheard).
+constexpr int32_t kMaxBeacons = 4 * kMaxNeighbours;
+
 /// Bytes of a Fleet: a little more than what it needs, which the core asserts.
-constexpr size_t kFleetBytes = kMaxNeighbours * (static_cast<size_t>(kMaxNeighbours) * 13 + kMaxSegments * 208 + 800) +
-                               kMaxSegments * 720 + kMaxNeighbours * 13 + 4096;
+constexpr size_t kFleetBytes = kMaxNeighbours * (static_cast<size_t>(kMaxNeighbours) * 22 + kMaxSegments * 208 + 1024) +
+                               kMaxSegments * 720 + kMaxNeighbours * 22 + 4096;
 
 /// One vehicle's part in a fleet: a state machine without clock, input or output. You carry its packets by any link
 /// that reaches the others, as often as you like. Large: not for a small stack. Not thread-safe. Before begin(), every

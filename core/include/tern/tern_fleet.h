@@ -10,16 +10,21 @@
 
 #ifdef __cplusplus
 #include "tern/fleet.hpp"
+typedef tern::FleetRange tern_fleet_range;
 typedef tern::FleetSpec tern_fleet_spec;
 typedef tern::FleetReport tern_fleet_report;
 typedef tern::Neighbour tern_neighbour;
 extern "C" {
 #else
 /* clang-format off */
+/* Members by range: tern::FleetRange. m, m/s, ns. */
+typedef struct {
+  double join, heard, speed; int64_t within, lease;
+} tern_fleet_range;
 /* A vehicle as a member of a fleet: tern::FleetSpec. m, ns, m/s. */
 typedef struct {
   uint16_t id; uint32_t incarnation; uint8_t priority; double radius;
-  int64_t clock_error, tick; double speed;
+  int64_t clock_error, tick; double speed; tern_fleet_range range;
 } tern_fleet_spec;
 /* What became of the last plan that was announced: tern::FleetReport. */
 typedef struct {
@@ -51,7 +56,9 @@ enum {
   TERN_FLEET_BLOCK_REFUSED = 3,    /* a member that has the right of way said no */
   TERN_FLEET_BLOCK_UNANSWERED = 4, /* a member that has the right of way said nothing in time */
   TERN_FLEET_BLOCK_RESTARTED = 5,  /* the member was begun or added, or left, in the meantime */
-  TERN_FLEET_BLOCK_LATE = 6        /* advance was called too late, or had too little work */
+  TERN_FLEET_BLOCK_LATE = 6,       /* advance was called too late, or had too little work */
+  TERN_FLEET_BLOCK_STRANGER = 7,   /* not clear of all that a vehicle may do which is no member yet */
+  TERN_FLEET_BLOCK_UNHEARD = 8     /* not clear of all that vehicles may do which are too far away to be heard */
 };
 /* What a packet brought. */
 enum {
@@ -66,10 +73,10 @@ enum {
 };
 
 /* Size of tern_fleet in words of 64 bits. The core asserts that it suffices. */
-#define TERN_FLEET_WORDS                                                                                         \
-  ((TERN_MAX_NEIGHBOURS * (TERN_MAX_NEIGHBOURS * 13 + TERN_MAX_SEGMENTS * 208 + 813) + TERN_MAX_SEGMENTS * 720 + \
-    4096) /                                                                                                      \
-       8 +                                                                                                       \
+#define TERN_FLEET_WORDS                                                                                          \
+  ((TERN_MAX_NEIGHBOURS * (TERN_MAX_NEIGHBOURS * 22 + TERN_MAX_SEGMENTS * 208 + 1046) + TERN_MAX_SEGMENTS * 720 + \
+    4096) /                                                                                                       \
+       8 +                                                                                                        \
    2)
 
 /* One vehicle's part in a fleet: an object of the library in memory of yours, too large for a small stack. It may hold

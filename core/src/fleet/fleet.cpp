@@ -14,10 +14,17 @@ namespace {
 constexpr double kLargestRadius = 60.0;
 constexpr std::int64_t kSecond = 1'000'000'000;
 
+bool is_sound(const FleetRange& range) {
+  if (!(finite(range.join) && range.join >= 0.0)) return false;
+  return range.join <= 0.0 ||
+         (finite(range.heard) && range.heard > 0.0 && finite(range.speed) && range.speed > 0.0 && range.within > 0 &&
+          range.within <= kSecond * 60 && range.lease > 0 && range.lease <= kSecond * 3600);
+}
+
 bool is_sound(const FleetSpec& spec) {
   return spec.incarnation > 0 && finite(spec.radius) && spec.radius > 0.0 && spec.radius <= kLargestRadius &&
          spec.clock_error >= 0 && spec.clock_error <= kSecond && spec.tick > 0 && spec.tick <= kSecond &&
-         finite(spec.speed) && spec.speed >= 0.0;
+         finite(spec.speed) && spec.speed >= 0.0 && is_sound(spec.range);
 }
 
 void set(OwnPlan& own, const Trajectory& plan, const PlanName& name) {
@@ -63,18 +70,21 @@ Status Fleet::begin(const FleetSpec& spec, const Trajectory& flown, std::int64_t
   const auto own = reinterpret_cast<std::uintptr_t>(memory_);
   if (at >= own && at < own + sizeof(memory_)) return Status::kInvalidArgument;
   if (!is_sound(spec) || flown.begin > now || !is_sendable(flown, flown.begin)) return Status::kInvalidArgument;
+  const FleetMemory* const before = memory_of(*this);
+  const Promises promises = before == nullptr ? Promises{} : promises_of(*before, now);
   FleetMemory& fleet = *new (memory_) FleetMemory{};
   set(fleet.own[0], flown, {spec.id, spec.incarnation, 1, flown.begin});
   fleet.has_begun = true;
   fleet.spec = spec;
   fleet.numbers = 1;
+  begin_range(fleet, promises, now);
   touch(fleet, now);
   return Status::kOk;
 }
 
 Status Fleet::add(std::uint16_t id, std::int64_t now) noexcept {
   FleetMemory* const fleet = memory_of(*this);
-  if (fleet == nullptr || id == fleet->spec.id) return Status::kInvalidArgument;
+  if (fleet == nullptr || id == fleet->spec.id || is_by_range(*fleet)) return Status::kInvalidArgument;
   if (find(*fleet, id) < fleet->peer_count) return Status::kOk;
   if (was_removed(*fleet, id)) return Status::kInvalidArgument;
   if (is_full(fleet->peer_count == kMaxNeighbours)) return Status::kNeighboursFull;
@@ -85,7 +95,7 @@ Status Fleet::add(std::uint16_t id, std::int64_t now) noexcept {
 
 Status Fleet::remove(std::uint16_t id, std::int64_t now) noexcept {
   FleetMemory* const fleet = memory_of(*this);
-  if (fleet == nullptr) return Status::kInvalidArgument;
+  if (fleet == nullptr || is_by_range(*fleet)) return Status::kInvalidArgument;
   const std::int32_t p = find(*fleet, id);
   if (p == fleet->peer_count) return Status::kInvalidArgument;
   if (fleet->removed_count < kMaxNeighbours) fleet->removed[fleet->removed_count] = id;
@@ -132,6 +142,7 @@ void Fleet::advance(std::int64_t now, Work& work) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr) return;
   decide(*fleet, now);
+  if (is_by_range(*fleet)) update_members(*fleet, now);
   work_on_jobs(*fleet, now, work);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "fleet/peer.hpp"
+#include "fleet/range.hpp"
 #include "tern/fleet.hpp"
 #include "tern/track_proof.hpp"
 
@@ -39,6 +40,7 @@ struct ProofJob {
 
 /// Where the round of packets is.
 struct Cursor {
+  bool has_beacon;          ///< the beacon was written
   std::int32_t state_part;  ///< next part of the state
   int plan;                 ///< 0: the plan that is announced; 1: the one that is flown; 2: the round is at its end
   std::int32_t plan_part;
@@ -61,6 +63,7 @@ struct FleetMemory {
   std::uint16_t removed[kMaxNeighbours];
   std::int32_t peer_count;
   Peer peers[kMaxNeighbours];
+  Beacons beacons;
   ProofJob job;
   Cursor cursor;
   std::int32_t state_size;

@@ -10,7 +10,7 @@ namespace {
 
 bool differ(const Answer& a, const Answer& b) {
   return a.incarnation != b.incarnation || a.number != b.number || a.consent != b.consent ||
-         a.lacks_flown != b.lacks_flown;
+         a.lacks_flown != b.lacks_flown || a.link != b.link || a.its != b.its || a.promises != b.promises;
 }
 
 bool is_newer(const StateHead& state, const StateHead& than) {
@@ -20,11 +20,20 @@ bool is_newer(const StateHead& state, const StateHead& than) {
 /// The member began anew, or left. It may have been asked about the plan that is announced, and is asked no more, or
 /// the other way round; what it was allowed before it began anew does not count any more.
 void meet_again(FleetMemory& fleet, Peer& peer, bool has_begun, std::int64_t now) {
-  if (is_pending(fleet)) drop(fleet, FleetBlock::kRestarted, peer.id, now);
+  if (is_pending(fleet) && peer.link.binds) drop(fleet, FleetBlock::kRestarted, peer.id, now);
   if (!has_begun) return;
   peer.flown = peer.held = kNoPlan;
   peer.judged = 0;
   peer.consent = Consent::kNone;
+}
+
+/// What the newest state says of the two records of each other.
+void hear_link(const FleetMemory& fleet, const StateHead& state, const Answer& answer, bool has_begun, Link& link) {
+  link.its = answer.link;
+  link.is_mutual = answer.incarnation == fleet.spec.incarnation && answer.its == link.own && answer.link != 0;
+  if (has_begun) link.trusted = 0;
+  const std::int64_t until = state.until - fleet.spec.clock_error;
+  if (link.is_mutual && answer.promises && until > link.trusted) link.trusted = until;
 }
 
 Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
@@ -38,8 +47,11 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   const auto ahead = static_cast<std::uint64_t>(state.stamp) - static_cast<std::uint64_t>(now);
   if (state.stamp > now && ahead > static_cast<std::uint64_t>(fleet.spec.clock_error)) return Heard::kClockAhead;
   if (!is_newer(state, peer.state)) return Heard::kOld;
-  const bool has_begun = state.incarnation != peer.state.incarnation;
+  const bool by_range = is_by_range(fleet);
+  if (by_range != (state.until != 0)) return Heard::kStranger;
+  const bool has_begun = state.incarnation != peer.state.incarnation || (by_range && answer.link != peer.link.its);
   if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);
+  if (by_range) hear_link(fleet, state, answer, has_begun, peer.link);
   peer.state = state;
   peer.answer = answer;
   peer.state_crc = crc;
@@ -59,7 +71,7 @@ Heard take_state(FleetMemory& fleet, Peer& peer, const PacketHead& head, const s
 
 Heard take(FleetMemory& fleet, Peer& peer, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,
            std::int64_t now) {
-  if (head.form == form_of(MessageKind::kState)) return take_state(fleet, peer, head, packet, size, now);
+  if (head.form != form_of(MessageKind::kPlan)) return take_state(fleet, peer, head, packet, size, now);
   if (is_full(head.size > kMaxPlanBytes)) return Heard::kTooLong;
   return take_plan(peer, head, packet, size);
 }
@@ -71,15 +83,18 @@ Heard Fleet::receive(const std::uint8_t* packet, std::int32_t size, std::int64_t
   PacketHead head{};
   if (fleet == nullptr || !read_packet(packet, size, head)) return Heard::kDamaged;
   if (head.form >> 4 != kMessageVersion) return Heard::kOtherVersion;
-  if (head.form != form_of(MessageKind::kState) && head.form != form_of(MessageKind::kPlan)) return Heard::kDamaged;
+  if ((head.form & 15u) > static_cast<unsigned>(MessageKind::kRangeState)) return Heard::kDamaged;
   if (head.id == fleet->spec.id) return Heard::kSelf;
+  if (head.form == form_of(MessageKind::kBeacon)) {
+    return is_by_range(*fleet) ? hear_beacon(*fleet, head, packet, size, now) : Heard::kOld;
+  }
   std::int32_t p = 0;
   while (p < fleet->peer_count && fleet->peers[p].id != head.id) ++p;
   if (p == fleet->peer_count) return Heard::kStranger;
 
   Peer& peer = fleet->peers[p];
   // A state is sent again until it changes.
-  const bool is_state = head.form == form_of(MessageKind::kState);
+  const bool is_state = head.form != form_of(MessageKind::kPlan);
   if (is_state && head.size == peer.state_size && head.crc == peer.state_crc) return Heard::kOld;
   const Answer before = answer_to(peer);
   const std::uint32_t open = peer.state.open;

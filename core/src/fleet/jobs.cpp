@@ -36,7 +36,7 @@ bool ask(const FleetMemory& fleet, Question& question) {
   const OwnPlan& next = next_plan(fleet);
   if (job.kind == JobKind::kOwn) {
     question = {&next.plan, job.turn == 0 ? peer.flown : peer.held, next.name.takeover};
-    if (is_asked(fleet, peer) || question.theirs == kNoPlan) return false;
+    if (!peer.link.binds || is_asked(fleet, peer) || question.theirs == kNoPlan) return false;
     if (job.turn == 1) question.from = later(question.from, earliest(fleet, peer.names[peer.held]));
     return true;
   }
@@ -106,7 +106,14 @@ void answer(FleetMemory& fleet, Consent consent, std::int64_t now) {
   touch(fleet, now);
 }
 
-void announce_openly(FleetMemory& fleet, std::int64_t now) {
+/// By range, first against all that may do anything.
+void announce_openly(FleetMemory& fleet, std::int64_t now, Work& work) {
+  if (is_by_range(fleet)) {
+    work.spend(fleet.beacons.count * ops::kPiece);
+    FleetBlock why = FleetBlock::kNone;
+    std::uint16_t by = 0;
+    if (!is_clear_alone(fleet, now, why, by)) return drop(fleet, why, by, now);
+  }
   fleet.announcement = Announcement::kOpen;
   end(fleet.job);
   touch(fleet, now);
@@ -125,9 +132,9 @@ void look_at_next(FleetMemory& fleet, std::int64_t now, Work& work) {
   ProofJob& job = fleet.job;
   work.spend(ops::kPiece);
   if (job.kind == JobKind::kOwn) {
-    if (job.peer == fleet.peer_count) return announce_openly(fleet, now);
+    if (job.peer == fleet.peer_count) return announce_openly(fleet, now, work);
     const Peer& peer = fleet.peers[job.peer];
-    if (!is_ready(fleet, peer)) return drop(fleet, FleetBlock::kSilent, peer.id, now);
+    if (peer.link.binds && !is_ready(fleet, peer)) return drop(fleet, FleetBlock::kSilent, peer.id, now);
   }
   Question question{};
   ask(fleet, question) ? begin_proof(fleet, question, work) : go_on(fleet, now);

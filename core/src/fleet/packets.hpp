@@ -15,7 +15,7 @@
 namespace tern {
 
 /// What a message is. Its first byte has the version of the format in the upper half, and this in the lower one.
-enum class MessageKind : std::uint8_t { kState = 0, kPlan = 1 };
+enum class MessageKind : std::uint8_t { kState = 0, kPlan = 1, kBeacon = 2, kRangeState = 3 };
 constexpr std::uint8_t kMessageVersion = 1;
 constexpr std::uint8_t form_of(MessageKind kind) {
   return static_cast<std::uint8_t>(kMessageVersion << 4 | static_cast<std::uint8_t>(kind));

@@ -38,6 +38,7 @@ bool is_over(const StateHead& state, const PlanName& name) {
 
 void forget_peer(Peer& peer, std::uint16_t id) noexcept {
   peer.id = id;
+  peer.link = Link{0, 0, true, true, true, INT64_MAX, INT64_MAX};
   peer.heard = 0;
   peer.state = StateHead{};
   peer.answer = Answer{};
@@ -69,7 +70,8 @@ bool is_resolved(const Peer& peer) noexcept {
 }
 
 Answer answer_to(const Peer& peer) noexcept {
-  Answer answer{peer.id, peer.state.incarnation, 0, Consent::kNone, false};
+  Answer answer{peer.id,       peer.state.incarnation, 0, Consent::kNone, false, peer.link.own,
+                peer.link.its, is_offered(peer)};
   if (answer.incarnation == 0) return answer;
   answer.lacks_flown = !is_resolved(peer);
   for (int slot = 0; slot < kPeerPlans; ++slot) {

@@ -14,13 +14,26 @@
 
 namespace tern {
 
-constexpr std::int32_t kMaxStateBytes = in_whole_parts(state_bytes(kMaxNeighbours));
+constexpr std::int32_t kMaxStateBytes = in_whole_parts(state_bytes(kMaxNeighbours, true));
 /// The plan that it flies, one that it may take over, and two that are arriving: what it flies and announces now.
 constexpr int kPeerPlans = 4;
 constexpr std::int8_t kNoPlan = -1;
 
+/// What binds this vehicle to a member, and the other way round. A member of add() is bound for ever. One by range is
+/// bound as long as it was promised: until then, each plan of this vehicle follows the rules of the right of way.
+struct Link {
+  std::uint32_t own;      ///< number of this vehicle's record of the member; 0: by add()
+  std::uint32_t its;      ///< number of its record of this vehicle; 0: it has none
+  bool is_near;           ///< it is in range
+  bool is_mutual;         ///< its newest state answers this vehicle's record
+  bool binds;             ///< this vehicle follows the rules
+  std::int64_t promised;  ///< until when at least, as the member was told, ns
+  std::int64_t trusted;   ///< until when the member promised to, on this vehicle's clock, ns
+};
+
 struct Peer {
   std::uint16_t id;
+  Link link;
   std::int64_t heard;       ///< when the newest state came
   StateHead state;          ///< the newest; of incarnation 0 if none came
   Answer answer;            ///< in that state, to this vehicle
@@ -46,6 +59,11 @@ std::int8_t find_plan(const Peer& peer, std::uint32_t number) noexcept;
 bool is_resolved(const Peer& peer) noexcept;
 /// What to tell it.
 Answer answer_to(const Peer& peer) noexcept;
+
+/// It is promised that this vehicle follows the rules, for another lease.
+inline bool is_offered(const Peer& peer) {
+  return peer.link.binds && peer.link.is_near && peer.link.is_mutual;
+}
 
 /// Takes a packet of a plan.
 Heard take_plan(Peer& peer, const PacketHead& head, const std::uint8_t* packet, std::int32_t size) noexcept;

@@ -43,14 +43,16 @@ void decide(FleetMemory& fleet, std::int64_t now) noexcept {
   if (!is_pending(fleet)) return;
   for (std::int32_t p = 0; is_open(fleet) && p < fleet.peer_count; ++p) {
     const Peer& peer = fleet.peers[p];
-    if (is_asked(fleet, peer) && has_refused(fleet, peer)) return drop(fleet, FleetBlock::kRefused, peer.id, now);
+    if (peer.link.binds && is_asked(fleet, peer) && has_refused(fleet, peer))
+      return drop(fleet, FleetBlock::kRefused, peer.id, now);
   }
   const std::int64_t takeover = next_plan(fleet).name.takeover;
   if (now < takeover) return;
   if (!is_open(fleet) || now > takeover + fleet.spec.tick) return drop(fleet, FleetBlock::kLate, 0, now);
   for (std::int32_t p = 0; p < fleet.peer_count; ++p) {
     const Peer& peer = fleet.peers[p];
-    if (is_asked(fleet, peer) && !has_agreed(fleet, peer)) return drop(fleet, FleetBlock::kUnanswered, peer.id, now);
+    if (peer.link.binds && is_asked(fleet, peer) && !has_agreed(fleet, peer))
+      return drop(fleet, FleetBlock::kUnanswered, peer.id, now);
   }
   take_over(fleet, now);
 }

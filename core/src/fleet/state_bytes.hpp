@@ -25,6 +25,10 @@ struct Answer {
   std::uint32_t number;       ///< the newest plan of this incarnation that was received; 0: none
   Consent consent;            ///< on that plan
   bool lacks_flown;           ///< the plan that the other one flies was not received
+  // Of members by range alone.
+  std::uint32_t link;  ///< number of the vehicle's record of the other one
+  std::uint32_t its;   ///< number of the other one's record of this vehicle, as it was heard
+  bool promises;       ///< until StateHead::until, it asks and tells the other one
 };
 
 /// What a vehicle says of itself.
@@ -38,17 +42,20 @@ struct StateHead {
   std::uint16_t radius;   ///< mm
   std::uint8_t priority;
   bool has_left;
+  std::int64_t until;  ///< ns: of what is promised; 0: members are not by range
 };
 
-constexpr std::int32_t kStateHeadBytes = 33;
-constexpr std::int32_t kAnswerBytes = 12;
-constexpr std::int32_t state_bytes(std::int32_t answers) {
-  return kStateHeadBytes + kAnswerBytes * answers;
+/// Members by range take more.
+constexpr std::int32_t state_head_bytes(bool by_range) {
+  return by_range ? 41 : 33;
+}
+constexpr std::int32_t state_bytes(std::int32_t answers, bool by_range) {
+  return state_head_bytes(by_range) + (by_range ? 21 : 12) * answers;
 }
 
 /// Writes the head; append_answer() adds the answers, `answers` of them.
 void write_state(const StateHead& state, std::uint16_t answers, ByteWriter& out) noexcept;
-void append_answer(const Answer& answer, ByteWriter& out) noexcept;
+void append_answer(const Answer& answer, bool by_range, ByteWriter& out) noexcept;
 
 /// False for bytes that are no state. `answer` gets the answer to the member `to`; of incarnation 0 if there is none.
 bool read_state(const std::uint8_t* bytes, std::int32_t size, std::uint16_t to, StateHead& state,

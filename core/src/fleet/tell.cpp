@@ -15,13 +15,18 @@ void write_own_state(FleetMemory& fleet) {
   state.stamp = fleet.stamp;
   state.flown = fleet.own[fleet.flown].name.number;
   state.open = is_open(fleet) ? next_plan(fleet).name.number : 0;
-  state.radius = static_cast<std::uint16_t>(1000.0 * fleet.spec.radius);
-  if (1e-3 * state.radius < fleet.spec.radius) ++state.radius;
+  state.radius = whole_millimetres(fleet.spec.radius);
   state.priority = fleet.spec.priority;
   state.has_left = fleet.has_left;
+  const bool by_range = is_by_range(fleet);
+  if (by_range) state.until = fleet.beacons.now + fleet.spec.range.lease;
   ByteWriter out(fleet.state);
   write_state(state, static_cast<std::uint16_t>(fleet.peer_count), out);
-  for (std::int32_t p = 0; p < fleet.peer_count; ++p) append_answer(answer_to(fleet.peers[p]), out);
+  for (std::int32_t p = 0; p < fleet.peer_count; ++p) {
+    Peer& peer = fleet.peers[p];
+    append_answer(answer_to(peer), by_range, out);
+    if (by_range && is_offered(peer)) peer.link.promised = state.until;
+  }
   fleet.state_size = out.size();
   fleet.state_crc = crc32(fleet.state, fleet.state_size);
   fleet.has_changed = false;
@@ -51,10 +56,15 @@ void next(Cursor& cursor) {
 std::int32_t Fleet::write(std::uint8_t* packet, std::int32_t room) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr || packet == nullptr || room < kLeastPacketBytes) return 0;
-  if (fleet->has_changed) write_own_state(*fleet);
   Cursor& cursor = fleet->cursor;
+  const bool is_alone = is_by_range(*fleet) && fleet->peer_count == 0;
+  if (fleet->has_changed && !is_alone) write_own_state(*fleet);
   const std::uint16_t id = fleet->spec.id;
-  if (cursor.state_part < parts_of(fleet->state_size)) {
+  if (is_by_range(*fleet) && !cursor.has_beacon) {
+    cursor.has_beacon = true;
+    if (const std::int32_t size = write_beacon(*fleet, packet, room); size > 0) return size;
+  }
+  if (!is_alone && cursor.state_part < parts_of(fleet->state_size)) {
     return write_packet(fleet->state, fleet->state_size, fleet->state_crc, id, packet, room, cursor.state_part);
   }
   for (; cursor.plan < 2; next(cursor)) {

@@ -101,7 +101,7 @@ FleetReport Fleet::report() const noexcept {
   report.cleared = is_open(*fleet);
   for (std::int32_t p = 0; p < fleet->peer_count; ++p) {
     const Peer& peer = fleet->peers[p];
-    report.cleared = report.cleared && (!is_asked(*fleet, peer) || has_agreed(*fleet, peer));
+    report.cleared = report.cleared && (!peer.link.binds || !is_asked(*fleet, peer) || has_agreed(*fleet, peer));
   }
   return report;
 }

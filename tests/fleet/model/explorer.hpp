@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "fleet/fleet_access.hpp"
+#include "fleet/model/padding.hpp"
 #include "fleet/plans.hpp"
 #include "tern/fleet.hpp"
 
@@ -25,6 +26,8 @@ namespace tern_model {
 
 constexpr int kVehicles = 3;
 constexpr std::int64_t kTick = 1'000'000'000;
+/// By how much the largest speed of a straight plan is above its mean one.
+constexpr double kPeak = 2.1875;
 
 /// What the model explores.
 struct Setting {
@@ -38,6 +41,7 @@ struct Setting {
   double seconds = 2.0;        ///< that a plan lasts
   std::size_t in_the_air = 2;  ///< messages of each vehicle that may still arrive: its last ones
   bool in_pieces = false;      ///< state and plans arrive separately
+  tern::FleetRange range;      ///< members by range; else each knows of each
   bool keeps_first = false;    ///< what was said first, with the plan that is flown, may still arrive
   std::array<std::vector<tern::Vec3>, kVehicles> targets;
   std::array<tern::Vec3, kVehicles> places;
@@ -104,10 +108,12 @@ class Vehicles {
     tern::FleetMemory& memory = *tern::memory_of(*copy);
     std::memset(static_cast<void*>(&memory.job), 0, sizeof memory.job);
     for (tern::OwnPlan& own : memory.own) without_padding(own.name);
+    for (int k = 0; k < tern::kMaxBeacons; ++k) without_padding(memory.beacons.of[k], k < memory.beacons.count);
     for (tern::Peer& peer : memory.peers) {
       peer.heard = 0;
       peer.packets = 0;
       for (std::uint32_t& packet : peer.last_packet) packet = 0;
+      without_padding(peer.link);
       without_padding(peer.state);
       for (tern::PlanName& name : peer.names) without_padding(name);
       clean(peer.arriving);
@@ -143,7 +149,7 @@ class Vehicles {
     after.done = act_on(v, kTick * clock, act, what);
     tern::Work work(1u << 30);
     scratch_.advance(kTick * clock, work);
-    tern::memory_of(scratch_)->stamp = 0;
+    if (setting_.range.join <= 0.0) tern::memory_of(scratch_)->stamp = 0;  // else it says when to promise anew
     after.said = said(scratch_);
     after.fleet = keep(scratch_);
     return after_.emplace(key, after).first->second;
@@ -191,6 +197,7 @@ class Vehicles {
     spec.radius = 0.5;
     spec.clock_error = setting_.skew * kTick;
     spec.tick = kTick / 2;
+    spec.range = setting_.range;
     return spec;
   }
   std::size_t count() const { return fleets_.count(); }
@@ -199,28 +206,6 @@ class Vehicles {
   template <std::int32_t Bytes>
   static void clean(tern::Assembly<Bytes>& assembly) {
     std::memset(assembly.bytes + assembly.size, 0, static_cast<std::size_t>(Bytes - assembly.size));
-  }
-  /// Bytes between members may have any value.
-  static void without_padding(tern::PlanName& name) {
-    const tern::PlanName copy = name;
-    std::memset(static_cast<void*>(&name), 0, sizeof name);
-    name.id = copy.id;
-    name.incarnation = copy.incarnation;
-    name.number = copy.number;
-    name.takeover = copy.takeover;
-  }
-  static void without_padding(tern::StateHead& state) {
-    const tern::StateHead copy = state;
-    std::memset(static_cast<void*>(&state), 0, sizeof state);
-    state.id = copy.id;
-    state.incarnation = copy.incarnation;
-    state.counter = copy.counter;
-    state.stamp = copy.stamp;
-    state.flown = copy.flown;
-    state.open = copy.open;
-    state.radius = copy.radius;
-    state.priority = copy.priority;
-    state.has_left = copy.has_left;
   }
   /// The words that are not zero, behind their places.
   static std::string packed(const tern::Fleet& fleet) {
@@ -264,7 +249,10 @@ class Vehicles {
     const tern::Vec3 from = tern::evaluate(flown, 1e9).position;
     const std::vector<tern::Vec3>& targets = setting_.targets[static_cast<std::size_t>(v)];
     const tern::Vec3 to = what < targets.size() ? targets[what] : from;
-    const tern::Trajectory plan = tern_test::straight(from, to, takeover, setting_.seconds);
+    const double way = tern_test::between(from, to);
+    const double seconds =
+        setting_.range.join > 0.0 ? std::max(1.0, std::ceil(kPeak * way / setting_.range.speed)) : setting_.seconds;
+    const tern::Trajectory plan = tern_test::straight(from, to, takeover, seconds);
     return scratch_.announce(plan, takeover, now) == tern::Status::kOk;
   }
   /// `what`: twice the incarnation, and 1 more for a higher priority.
@@ -272,11 +260,25 @@ class Vehicles {
     const tern::Trajectory flown = *scratch_.flown();
     tern::FleetSpec again = spec(v, what / 2);
     if (what % 2 == 1) again.priority = 9;
+    const tern::Beacons heard = tern::memory_of(scratch_)->beacons;
     scratch_.begin(again, flown, now);
-    for (int other = 0; other < setting_.vehicles; ++other) {
+    hear_at_once(heard);
+    for (int other = 0; setting_.range.join <= 0.0 && other < setting_.vehicles; ++other) {
       if (other != v) scratch_.add(static_cast<std::uint16_t>(other + 1), now);
     }
     return true;
+  }
+  /// What was heard before is heard again, before anything else happens: so little time is enough for a restart.
+  void hear_at_once(const tern::Beacons& heard) {
+    tern::FleetMemory& memory = *tern::memory_of(scratch_);
+    memory.beacons.begun = heard.begun;
+    memory.beacons.count = heard.count;
+    for (int k = 0; k < heard.count; ++k) {
+      memory.beacons.of[k] = heard.of[k];
+      memory.beacons.of[k].is_member = false;
+      for (int p = 0; p < memory.peer_count; ++p)
+        memory.beacons.of[k].is_member |= memory.peers[p].id == heard.of[k].id;
+    }
   }
   void hear(std::uint32_t message, std::int64_t now) {
     const std::string& bytes = messages_.value(message);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "fleet/model/worlds.hpp"
+#include "fleet/model/explore.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -81,6 +81,71 @@ TEST(FleetModel, ThreeVehicles) {
   setting.last_tick = 2;
   setting.in_the_air = 1;
   expect_sound("three vehicles", setting);
+}
+
+/// Two vehicles 34 m apart, which become members of each other there or nearer. The first one goes to and fro on the
+/// spot; the second one comes where the first one is about to be, passes it, or goes out of range and comes back.
+Setting in_range() {
+  Setting setting;
+  setting.vehicles = 2;
+  setting.places = {tern::Vec3{0.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {}};
+  setting.targets[0] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}};
+  setting.targets[1] = {{-2.0, 0.0, 0.0}, {46.0, 0.0, 0.0}, {34.0, 0.0, 0.0}};
+  setting.announcements = 4;
+  setting.in_the_air = 4;
+  setting.last_tick = 60;
+  setting.seconds = 14.0;
+  setting.range.join = 34.5;
+  setting.range.heard = 1e6;
+  setting.range.speed = 10.0;
+  setting.range.within = 60 * tern_model::kTick;
+  setting.range.lease = 13 * tern_model::kTick;
+  return setting;
+}
+
+/// The second one, which has the right of way, goes out of range and comes back past the place to which the first one
+/// goes meanwhile: promises outlive the range.
+Setting out_of_range() {
+  Setting setting = in_range();
+  setting.places = {tern::Vec3{-8.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {}};
+  setting.targets[0] = {{0.0, 0.0, 0.0}};
+  setting.targets[1] = {{46.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
+  setting.priorities = {0, 1, 0};
+  setting.announcements = 2;
+  setting.range.join = 42.5;
+  setting.range.lease = 20 * tern_model::kTick;
+  setting.seconds = 24.0;
+  return setting;
+}
+
+void expect_sound_walks(const char* name, const Setting& setting) {
+  const tern_model::Walked walked = tern_model::walk(setting, tern_test::scaled(400), 300, 1);
+  std::printf("%s: %zu worlds, plans taken over %zu and %zu\n", name, walked.worlds, walked.taken[0], walked.taken[1]);
+  EXPECT_EQ(walked.unsafe, 0) << name;
+  EXPECT_EQ(walked.stuck, 0) << name;
+  EXPECT_GT(walked.taken[0], 0u);
+  EXPECT_GT(walked.taken[1], 0u);
+}
+
+TEST(FleetModel, WalksByRange) {
+  Setting setting = in_range();
+  expect_sound_walks("by range", setting);
+  setting.priorities = {0, 1, 0};
+  expect_sound_walks("by range, the second one first", setting);
+  setting.restarts = 2;
+  expect_sound_walks("by range, restarts", setting);
+}
+
+TEST(FleetModel, WalksOutOfRange) {
+  expect_sound_walks("out of range", out_of_range());
+}
+
+TEST(FleetModel, ByRange) {
+  Setting setting = in_range();
+  setting.announcements = 1;
+  setting.in_the_air = 2;
+  setting.last_tick = 3;
+  expect_sound("by range", setting);
 }
 
 }  // namespace

@@ -19,15 +19,20 @@ class Worlds {
     world.sent = sets_.of({});
     for (int v = 0; v < setting_.vehicles; ++v) {
       tern::Fleet fleet;
-      fleet.begin(vehicles_.spec(v, 1), tern_test::resting(setting_.places[index(v)], 0), 0);
-      for (int other = 0; other < setting_.vehicles; ++other) {
+      // By range, each listened long enough before.
+      const std::int64_t begin = -setting_.range.within - kTick;
+      fleet.begin(vehicles_.spec(v, 1), tern_test::resting(setting_.places[index(v)], begin), begin);
+      for (int other = 0; setting_.range.join <= 0.0 && other < setting_.vehicles; ++other) {
         if (other != v) fleet.add(static_cast<std::uint16_t>(other + 1), 0);
       }
+      tern::Work work(1);
+      if (setting_.range.join > 0.0) fleet.advance(0, work);
       tell(world, vehicles_.said(fleet));
       world.fleets[index(v)] = vehicles_.keep(fleet);
     }
     const Set first = sets_.value(world.sent);
-    for (int round = 0; round < 4; ++round) deliver_all(world);
+    const int rounds = setting_.range.join > 0.0 ? 1 : 4;
+    for (int round = 0; round < rounds; ++round) deliver_all(world);
     world.sent = sets_.of(setting_.keeps_first ? first : Set{});
     tell(world, newest_of_all(world));
     return world;
@@ -40,6 +45,19 @@ class Worlds {
       next_of(world, v, after);
     }
     if (setting_.skew == 0) tick_all(world, after);
+  }
+
+  /// One step of those that next() knows, at random. Time goes on in a fifth of them, and plans are announced so seldom
+  /// that most are decided about before the next one.
+  void stray(World& world, tern_test::Random& random) {
+    next(world, after_);
+    if (after_.empty()) return;
+    std::size_t k = after_.size() - 1;
+    for (int draws = random.chance(0.2) ? 0 : 20; draws > 0; --draws) {
+      k = static_cast<std::size_t>(random.integer(0, static_cast<int>(after_.size()) - 1));
+      if (after_[k].announced == world.announced || random.chance(0.1)) break;
+    }
+    world = after_[k];
   }
 
   /// True if what the vehicles fly, from now on, keeps them apart. Sampled, by arithmetic of the test.
@@ -218,46 +236,8 @@ class Worlds {
   Numbers<Set, HashOfSet> sets_;
   std::unordered_map<std::uint64_t, std::uint32_t> told_;
   std::unordered_map<std::uint64_t, bool> apart_;
+  std::vector<World> after_;
 };
-
-/// What an exploration saw.
-struct Seen {
-  std::size_t worlds = 0;
-  std::size_t fleets = 0;
-  int depth = 0;                      ///< all worlds that so many steps lead to were looked at
-  bool is_whole = false;              ///< no step leads to another world
-  int unsafe_depth = -1;              ///< steps to the first world in which two vehicles do not keep apart
-  std::size_t stuck = 0;              ///< worlds from which not everyone gets a plan through
-  std::size_t flown[kVehicles] = {};  ///< worlds in which the vehicle flies another plan than its first
-};
-
-/// Explores until `most` worlds are known, and looks at every `sample`th for progress.
-inline Seen explore(const Setting& setting, std::size_t most, std::size_t sample) {
-  Worlds worlds(setting);
-  std::unordered_set<World, HashOfWorld> known;
-  const World first = worlds.start();
-  std::vector<World> level{first};
-  std::vector<World> after;
-  known.insert(first);
-  Seen seen;
-  while (!level.empty() && known.size() < most && seen.unsafe_depth < 0) {
-    std::vector<World> next_level;
-    for (const World& world : level) {
-      for (int v = 0; v < setting.vehicles; ++v) seen.flown[v] += worlds.flown(world, v) != worlds.flown(first, v);
-      if (!worlds.is_safe(world) && seen.unsafe_depth < 0) seen.unsafe_depth = seen.depth;
-      if (seen.worlds++ % sample == 0 && !worlds.is_alive(world)) ++seen.stuck;
-      worlds.next(world, after);
-      for (const World& next : after) {
-        if (known.insert(next).second) next_level.push_back(next);
-      }
-    }
-    level.swap(next_level);
-    ++seen.depth;
-  }
-  seen.is_whole = level.empty();
-  seen.fleets = worlds.fleets();
-  return seen;
-}
 
 }  // namespace tern_model
 

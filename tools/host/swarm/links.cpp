@@ -3,6 +3,7 @@
 #include "host/swarm/links.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tern_host {
 
@@ -10,8 +11,16 @@ Links::Links(const LinkSettings& settings, int vehicles, std::uint64_t seed)
     : settings_(settings),
       vehicles_(vehicles),
       noise_(seed),
+      places_(static_cast<std::size_t>(vehicles)),
       in_burst_(static_cast<std::size_t>(vehicles) * static_cast<std::size_t>(vehicles)),
       in_the_air_(static_cast<std::size_t>(vehicles)) {}
+
+bool Links::reaches(int from, int to) const {
+  if (settings_.radio <= 0.0) return true;
+  const tern::Vec3& a = places_[static_cast<std::size_t>(from)];
+  const tern::Vec3& b = places_[static_cast<std::size_t>(to)];
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)}) <= settings_.radio;
+}
 
 /// A chain of two states: bursts of the mean length, so far apart that the part that is lost is `loss`. Packets that
 /// are lost each by itself come in bursts of 1 / (1 - loss) on average: bursts are never shorter.
@@ -36,7 +45,7 @@ void Links::fly(int to, const Packet& packet, std::int64_t now) {
 void Links::send(int from, const Packet& packet, std::int64_t now) {
   bytes_ += packet.size();
   for (int to = 0; to < vehicles_; ++to) {
-    if (to == from) continue;
+    if (to == from || !reaches(from, to)) continue;
     ++sent_;
     if (loses(from, to, 1e-9 * static_cast<double>(now))) {
       ++lost_;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/flight/noise.hpp"
+#include "tern/vec3.hpp"
 
 namespace tern_host {
 
@@ -32,6 +33,7 @@ struct LinkSettings {
   int deaf = -1;             ///< this vehicle hears nobody, though it is heard; -1: none
   int silent = -1;           ///< this vehicle is not heard any more from silent_from on; -1: none
   double silent_from = 0.0;  ///< s
+  double radio = 0.0;  ///< m, on the axis on which it is most: vehicles farther apart hear nothing; 0: all hear all
 };
 
 /// Bytes that do not change: all who hear a packet share them.
@@ -69,17 +71,22 @@ class Links : public Carrier {
   void send(int from, const Packet& packet, std::int64_t now) override;
   std::vector<Packet> receive(int to, std::int64_t now) override;
 
+  /// Where a vehicle is from now on.
+  void move(int vehicle, const tern::Vec3& place) { places_[static_cast<std::size_t>(vehicle)] = place; }
+
   std::uint64_t sent() const { return sent_; }    ///< packets to one vehicle each
   std::uint64_t lost() const { return lost_; }    ///< of those
   std::uint64_t bytes() const { return bytes_; }  ///< that were sent, each packet once
 
  private:
+  bool reaches(int from, int to) const;
   bool loses(int from, int to, double now);
   void fly(int to, const Packet& packet, std::int64_t now);
 
   LinkSettings settings_;
   int vehicles_;
   Noise noise_;
+  std::vector<tern::Vec3> places_;
   std::vector<char> in_burst_;  ///< of each link: it loses the next packet, too
   /// By time of arrival and number.
   std::vector<std::map<std::pair<std::int64_t, std::uint64_t>, Packet>> in_the_air_;

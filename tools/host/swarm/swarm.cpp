@@ -27,12 +27,18 @@ class Mailbox : public Carrier {
   std::vector<Packet> heard, sent;
 };
 
+LinkSettings links_of(const SwarmSettings& settings) {
+  LinkSettings links = settings.links;
+  if (settings.range > 0.0) links.radio = swarm_radio(settings.range) + 1.0;
+  return links;
+}
+
 class Swarm {
  public:
   Swarm(const SwarmWorld& world, const SwarmSettings& settings, SwarmRecord* record)
       : world_(world),
         settings_(settings),
-        links_(settings.links, count(), settings.seed),
+        links_(links_of(settings), count(), settings.seed),
         watch_(
             count(), world.body_radius, 1.7320508 * world.limits.v_max.x,
             [this](int k, std::int64_t t) { return vehicles_[static_cast<std::size_t>(k)]->at(t).position; },
@@ -88,6 +94,7 @@ class Swarm {
     }
     tick_some(0, threads);
     for (std::future<void>& other : others) other.get();
+    for (int k = 0; k < count(); ++k) links_.move(k, vehicles_[static_cast<std::size_t>(k)]->at(now_).position);
     for (int k = 0; k < count(); ++k) {
       std::vector<Packet>& sent = boxes_[static_cast<std::size_t>(k)].sent;
       for (const Packet& packet : sent) carrier.send(k, packet, now_);
@@ -109,6 +116,9 @@ class Swarm {
     member.commits += did.committed ? 1 : 0;
     member.unasked += did.unasked ? 1 : 0;
     result_.disagreed += did.agrees ? 0 : 1;
+    result_.most_members = std::max(result_.most_members, did.members);
+    result_.member_ticks += static_cast<std::uint64_t>(did.members);
+    ++result_.ticks;
     result_.most_untold = std::max(result_.most_untold, did.untold);
     result_.most_fleet_units = std::max(result_.most_fleet_units, did.fleet_units);
     const double now = 1e-9 * static_cast<double>(now_);

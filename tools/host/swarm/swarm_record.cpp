@@ -12,7 +12,7 @@
 namespace tern_host {
 namespace {
 
-constexpr const char* kFormat = "tern-swarm/1";
+constexpr const char* kFormat = "tern-swarm/2";
 constexpr std::uint64_t kFnvBegin = 0xCBF29CE484222325u;
 
 void hash_bytes(const void* bytes, std::size_t size, std::uint64_t& hash) {
@@ -32,6 +32,7 @@ void visit_settings(Settings& settings, Visit visit) {
   visit("clearance", settings.clearance);
   visit("delay_max", settings.links.delay_max);
   visit("discover", settings.discover);
+  visit("range", settings.range);
   visit("tracking_margin", settings.tracking_margin);
   visit("work_per_tick", settings.work_per_tick);
   visit("fleet_work", settings.fleet_work);

@@ -10,17 +10,13 @@
 
 #include "base/work.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/swarm/swarm_map.hpp"
 #include "host/track_record.hpp"
 
 namespace tern_host {
 namespace {
 
 using tern::Status;
-
-/// Voxels beside the world's boundary, so that its faces are seen as walls.
-constexpr int kBeside = 2;
-/// So far the window reaches beyond the world, in voxels, besides the horizon.
-constexpr int kSlideRoom = 40;
 
 /// Plans wait no longer than that for answers, ns.
 constexpr std::int64_t kMostPatience = 6'000'000'000;
@@ -30,33 +26,9 @@ constexpr double kLongestWait = 10.0;
 /// Metres between what a vehicle flies and what its fleet says, at most: both are the same plan.
 constexpr double kAgree = 1e-9;
 
-int even_voxels(double metres, double cell) {
-  return 2 * static_cast<int>(std::ceil(0.5 * metres / cell));
-}
-
-tern::MapSpec map_spec_of(const SwarmWorld& world, const SwarmSettings& settings) {
-  const tern::Box& b = world.boundary;
-  const double beyond = world.horizon + 2.0 + kSlideRoom * world.cell;
-  const tern::Voxel dims{std::min(tern::kMaxDimension, even_voxels(b.upper.x - b.lower.x + 2.0 * beyond, world.cell)),
-                         std::min(tern::kMaxDimension, even_voxels(b.upper.y - b.lower.y + 2.0 * beyond, world.cell)),
-                         even_voxels(b.upper.z - b.lower.z + 2.0 * kBeside * world.cell, world.cell)};
-  const tern::Vec3 middle{0.5 * (b.lower.x + b.upper.x), 0.5 * (b.lower.y + b.upper.y), 0.5 * (b.lower.z + b.upper.z)};
-  const tern::Vec3 origin{middle.x - 0.5 * world.cell * dims.x, middle.y - 0.5 * world.cell * dims.y,
-                          middle.z - 0.5 * world.cell * dims.z};
-  tern::MapSpec spec = tern::map_spec(origin, world.cell, dims, world.body_radius);
-  spec.tracking_margin = settings.tracking_margin;
-  spec.slack = tern::kMaxDimension;  // the window holds the whole world: what slides out of it would be forgotten
-  return spec;
-}
-
-/// The slabs around the boundary, which are walls.
-std::vector<tern::Box> walls_of(const SwarmWorld& world) {
-  constexpr double kFar = 1000.0;
-  const tern::Box& b = world.boundary;
-  return {{{-kFar, -kFar, -kFar}, {b.lower.x, kFar, kFar}}, {{b.upper.x, -kFar, -kFar}, {kFar, kFar, kFar}},
-          {{-kFar, -kFar, -kFar}, {kFar, b.lower.y, kFar}}, {{-kFar, b.upper.y, -kFar}, {kFar, kFar, kFar}},
-          {{-kFar, -kFar, -kFar}, {kFar, kFar, b.lower.z}}, {{-kFar, -kFar, b.upper.z}, {kFar, kFar, kFar}}};
-}
+/// Of members by range, ns: how old the newest beacon of anyone near may be, and for how long promises hold.
+constexpr std::int64_t kHeardWithin = 1'000'000'000;
+constexpr std::int64_t kLease = 12'000'000'000;
 
 [[noreturn]] void fail(const SwarmWorld& world, int vehicle, const std::string& what, Status status) {
   throw std::runtime_error(world.name + ", vehicle " + std::to_string(vehicle) + ": " + what + ": " +
@@ -64,6 +36,10 @@ std::vector<tern::Box> walls_of(const SwarmWorld& world) {
 }
 
 }  // namespace
+
+double swarm_radio(double range) {
+  return 3.0 * range;
+}
 
 SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& settings, int number,
                            std::int64_t clock_offset)
@@ -100,7 +76,7 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
 
 /// A map that holds the world, or one that holds what an operator knows around the start.
 void SwarmVehicle::start_map(const SwarmTask& task) {
-  tern::MapSpec spec = map_spec_of(world_, settings_);
+  tern::MapSpec spec = map_spec_of(world_, task, settings_);
   if (settings_.discover > 0.0) {
     sensor_ = std::make_unique<SwarmSensor>(world_, task, settings_.discover, settings_.tracking_margin);
     sensor_->describe(spec);
@@ -129,9 +105,16 @@ void SwarmVehicle::begin_fleet(std::int64_t time) {
   spec.clock_error = nanoseconds(settings_.clock_error);
   spec.tick = std::max(spec_.tick, nanoseconds(settings_.late));
   spec.speed = 1.7320508 * world_.limits.v_max.x;
+  if (settings_.range > 0.0) {
+    spec.range.join = settings_.range;
+    spec.range.heard = swarm_radio(settings_.range);
+    spec.range.speed = std::max({world_.limits.v_max.x, world_.limits.v_max.y, world_.limits.v_max.z});
+    spec.range.within = kHeardWithin;
+    spec.range.lease = kLease;
+  }
   const Status begun = fleet_->begin(spec, flown, time);
   if (begun != Status::kOk) fail(world_, number_, "the fleet cannot begin", begun);
-  for (int k = 0; k < static_cast<int>(world_.tasks.size()); ++k) {
+  for (int k = 0; settings_.range <= 0.0 && k < static_cast<int>(world_.tasks.size()); ++k) {
     if (k == number_) continue;
     const Status added = fleet_->add(static_cast<std::uint16_t>(k), time);
     if (added != Status::kOk) fail(world_, number_, "a member is refused", added);
@@ -271,6 +254,7 @@ SwarmTick SwarmVehicle::tick(std::int64_t now, Carrier& carrier) {
     fleet_->receive(packet.data(), static_cast<std::int32_t>(packet.size()), time);
   }
   advance_fleet(time, did);
+  did.members = fleet_->neighbours();
   did.untold = traffic_.tell(*fleet_, flight_, flight_.command(time).sample.position, time);
   hear_answer(time);
   const SwarmTask& task = world_.tasks[static_cast<std::size_t>(number_)];

@@ -30,6 +30,7 @@ struct SwarmSettings {
   double restarts = 0.0;     ///< how often each vehicle begins anew in its fleet, per second
   double clearance = 0.0;    ///< s that a plan waits for answers at least; 0: from the delays of the links
   double tracking_margin = 0.02;
+  double range = 0.0;     ///< m: only who is that near is a member of a vehicle's fleet; 0: all are
   double discover = 0.0;  ///< m: what stands still is found by lidars of this range; 0: all know it beforehand
   std::uint32_t work_per_tick = 16000;
   std::uint32_t fleet_work = 500;  ///< units a tick
@@ -41,8 +42,12 @@ struct SwarmTick {
   bool unasked = false;           ///< it committed a plan that was not cleared: a brake
   bool agrees = true;             ///< it flies what the fleet says that it flies, but for a brake without agreement
   std::uint32_t fleet_units = 0;  ///< that Fleet::advance() took
+  int members = 0;                ///< of its fleet, besides itself
   int untold = 0;                 ///< others' plans that the flight has no room for
 };
+
+/// m: how far a radio reaches at least, if members are those in `range`.
+double swarm_radio(double range);
 
 class SwarmVehicle {
  public:

@@ -174,10 +174,9 @@ SwarmWorld pad(int count, Noise& random) {
   return world;
 }
 
-/// Vehicles at random places of a field that grows with their number, with goals 15 m away on average.
-SwarmWorld field(int count, Noise& random) {
+/// Vehicles at random places of a square, with goals 15 m away on average.
+SwarmWorld scattered(int count, double half, Noise& random) {
   SwarmWorld world;
-  const double half = std::max(10.0, 1.6 * std::sqrt(static_cast<double>(count)) * 1.5);
   world.boundary = {{-half, -half, 0.0}, {half, half, 6.0}};
   world.limits = limits_of(3.0, 6.0, 30.0);
   world.body_radius = 0.3;
@@ -205,6 +204,18 @@ SwarmWorld field(int count, Noise& random) {
   return world;
 }
 
+/// On a field that grows with their number: 23 m² for each.
+SwarmWorld field(int count, Noise& random) {
+  return scattered(count, std::max(10.0, 1.6 * std::sqrt(static_cast<double>(count)) * 1.5), random);
+}
+
+/// The same with 100 m² for each. No vehicle's map holds more than it needs.
+SwarmWorld plain(int count, Noise& random) {
+  SwarmWorld world = scattered(count, std::max(10.0, 5.0 * std::sqrt(static_cast<double>(count))), random);
+  world.around = 10.0;
+  return world;
+}
+
 struct Family {
   const char* name;
   const char* text;
@@ -221,6 +232,7 @@ constexpr Family kFamilies[] = {
     {"swap", "a circle of 8 m at 2.5 m/s, empty", swap},
     {"pad", "a landing pad that all visit in turn", pad},
     {"field", "random starts and goals at 3 m/s in a field that grows with the number", field},
+    {"plain", "the same with four times as much room", plain},
 };
 
 /// The digits of a text from one place until another. False if that is not all there is, or too large.

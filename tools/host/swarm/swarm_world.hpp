@@ -35,6 +35,7 @@ struct SwarmWorld {
   double cell = 0.25;         ///< m, of the maps
   double horizon = 8.0;       ///< m, of plans
   double time_limit = 60.0;   ///< s
+  double around = 0.0;        ///< m: a map holds what is that near to the vehicle's task; 0: the whole world
 };
 
 /// What `swarm_world` takes, one line a family.

@@ -1,0 +1,202 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Members by range: who becomes one and who is none any more, and which plans need nobody's agreement.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "fleet/plans.hpp"
+#include "tern/fleet.hpp"
+
+namespace {
+
+using namespace tern_test;
+using tern::Announcement;
+using tern::Fleet;
+using tern::FleetBlock;
+using tern::Heard;
+using tern::Status;
+using tern::Vec3;
+
+/// Vehicles 1 and 2 at rest, which hear each other as often as the test says.
+class FleetRangePair : public testing::Test {
+ protected:
+  void begin(double apart) {
+    for (int v = 0; v < 2; ++v) ASSERT_EQ(fleet(v).begin(spec(v), resting(place(v, apart), 0), now_), Status::kOk);
+    apart_ = apart;
+  }
+  tern::FleetSpec spec(int v) const {
+    tern::FleetSpec spec;
+    spec.id = static_cast<std::uint16_t>(v + 1);
+    spec.incarnation = incarnation_;
+    spec.radius = 0.5;
+    spec.tick = kSecond / 10;
+    spec.range.join = 20.0;
+    spec.range.heard = 200.0;
+    spec.range.speed = 5.0;
+    spec.range.within = kSecond;
+    spec.range.lease = 8 * kSecond;
+    return spec;
+  }
+  static Vec3 place(int v, double apart) { return {v * apart, 0.0, 1.0}; }
+  Fleet& fleet(int v) { return *fleets_[v]; }
+  void say(int from) {
+    std::uint8_t packet[1400];
+    while (const std::int32_t size = fleet(from).write(packet, sizeof packet)) {
+      last_ = fleet(1 - from).receive(packet, size, now_);
+    }
+  }
+  void advance(int v) {
+    tern::Work work(100000);
+    fleet(v).advance(now_, work);
+  }
+  /// Ticks in which each hears the other.
+  void go_on(double seconds) {
+    for (const std::int64_t end = now_ + static_cast<std::int64_t>(1e9 * seconds); now_ < end;) {
+      now_ += kSecond / 10;
+      for (const int v : {0, 1}) {
+        advance(v);
+        say(v);
+      }
+    }
+  }
+  /// Two metres aside, in 4 s, a second ahead.
+  void announce(int v) {
+    const Vec3 from = place(v, apart_);
+    const tern::Trajectory plan = straight(from, {from.x, from.y + 2.0, from.z}, now_ + kSecond, 4.0);
+    ASSERT_EQ(fleet(v).announce(plan, now_ + kSecond, now_), Status::kOk);
+    advance(v);
+  }
+  void expect_dropped(int v, FleetBlock why, std::uint16_t by) {
+    EXPECT_EQ(fleet(v).report().announcement, Announcement::kDropped);
+    EXPECT_EQ(fleet(v).report().blocked, why);
+    EXPECT_EQ(fleet(v).report().blocked_by, by);
+  }
+
+  std::int64_t now_ = kSecond;
+  double apart_ = 0.0;
+  std::uint32_t incarnation_ = 1;
+  Heard last_ = Heard::kNews;
+  std::unique_ptr<Fleet> fleets_[2] = {std::make_unique<Fleet>(), std::make_unique<Fleet>()};
+};
+
+TEST_F(FleetRangePair, NobodyAsksWhoIsFarAway) {
+  begin(100.0);
+  go_on(2.0);
+  EXPECT_EQ(fleet(0).neighbours(), 0);
+  announce(1);  // the other one would have the right of way
+  EXPECT_TRUE(fleet(1).report().cleared);
+  now_ += kSecond;
+  advance(1);
+  EXPECT_EQ(fleet(1).report().announcement, Announcement::kTaken);
+}
+
+TEST_F(FleetRangePair, NobodyFliesBeforeItListened) {
+  begin(100.0);
+  announce(0);
+  expect_dropped(0, FleetBlock::kUnheard, 1);
+}
+
+TEST_F(FleetRangePair, APlanThatLeadsTooFarIsDropped) {
+  begin(100.0);
+  go_on(2.0);
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {0, 300, 1}, takeover, 4.0), takeover, now_), Status::kOk);
+  advance(0);
+  expect_dropped(0, FleetBlock::kUnheard, 1);
+}
+
+TEST_F(FleetRangePair, WhoMayComeTooNearIsInTheWay) {
+  begin(25.0);  // 5 s of 5 m/s reach that far
+  go_on(2.0);
+  EXPECT_EQ(fleet(0).neighbours(), 0);
+  announce(0);
+  expect_dropped(0, FleetBlock::kStranger, 2);
+}
+
+TEST_F(FleetRangePair, WhoIsNearBecomesAMemberAndIsAsked) {
+  begin(15.0);
+  go_on(2.0);
+  ASSERT_EQ(fleet(1).neighbours(), 1);
+  EXPECT_TRUE(fleet(1).neighbour(0).ready);
+  EXPECT_TRUE(fleet(1).neighbour(0).has_right_of_way);
+  announce(1);
+  EXPECT_EQ(fleet(1).report().announcement, Announcement::kOpen);
+  EXPECT_FALSE(fleet(1).report().cleared);
+  go_on(0.5);
+  EXPECT_TRUE(fleet(1).report().cleared);
+}
+
+TEST_F(FleetRangePair, PlansLongerThanThePromiseAreInTheWay) {
+  begin(15.0);
+  go_on(2.0);
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {0, 2, 1}, takeover, 8.0), takeover, now_), Status::kOk);
+  advance(0);
+  expect_dropped(0, FleetBlock::kStranger, 2);
+}
+
+TEST_F(FleetRangePair, PromisesEndAndOutliveABeginning) {
+  begin(15.0);
+  go_on(2.0);
+  ++incarnation_;
+  const tern::Trajectory flown = resting(place(1, 15.0), 0);
+  ASSERT_EQ(fleet(1).begin(spec(1), flown, now_), Status::kOk);
+  ASSERT_EQ(fleet(1).neighbours(), 1) << "it was promised that it is asked";
+  for (int k = 0; k < 85; ++k) {  // nobody hears anything
+    now_ += kSecond / 10;
+    advance(0);
+    advance(1);
+    const bool is_bound = fleet(1).neighbours() == 1;
+    EXPECT_TRUE(is_bound || k >= 68) << k;
+  }
+  EXPECT_EQ(fleet(0).neighbours(), 0);
+  EXPECT_EQ(fleet(1).neighbours(), 0);
+}
+
+TEST_F(FleetRangePair, ListsAndRangesDoNotMix) {
+  begin(15.0);
+  EXPECT_EQ(fleet(0).add(2, now_), Status::kInvalidArgument);
+  EXPECT_EQ(fleet(0).remove(2, now_), Status::kInvalidArgument);
+  tern::FleetSpec by_list = spec(1);
+  by_list.range = tern::FleetRange{};
+  ASSERT_EQ(fleet(1).begin(by_list, resting(place(1, 15.0), 0), now_), Status::kOk);
+  ASSERT_EQ(fleet(1).add(1, now_), Status::kOk);
+  go_on(2.0);
+  EXPECT_EQ(fleet(0).neighbours(), 0);
+  EXPECT_FALSE(fleet(1).neighbour(0).ready);
+}
+
+TEST_F(FleetRangePair, BeaconsThatAreOldDamagedOrAhead) {
+  begin(100.0);
+  advance(1);
+  std::uint8_t packet[tern::kFleetBeaconRoom];
+  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom - 1), 0) << "no room for a beacon, and nothing else to say";
+  const std::int32_t size = fleet(1).write(packet, tern::kFleetBeaconRoom);
+  ASSERT_EQ(size, 48);
+  EXPECT_EQ(fleet(0).receive(packet, size, now_ - 1), Heard::kClockAhead);
+  EXPECT_EQ(fleet(0).receive(packet, size - 1, now_), Heard::kDamaged);
+  EXPECT_EQ(fleet(0).receive(packet, size, now_ + 2 * kSecond), Heard::kOld) << "it tells nothing any more";
+  EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kNews);
+  EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kOld);
+  packet[20] ^= 1;
+  EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kDamaged);
+}
+
+TEST_F(FleetRangePair, RangesThatAreRefused) {
+  const std::vector<void (*)(tern::FleetRange&)> faults = {
+      [](tern::FleetRange& r) { r.join = -1.0; }, [](tern::FleetRange& r) { r.join = NAN; },
+      [](tern::FleetRange& r) { r.heard = 0.0; }, [](tern::FleetRange& r) { r.heard = INFINITY; },
+      [](tern::FleetRange& r) { r.speed = 0.0; }, [](tern::FleetRange& r) { r.speed = NAN; },
+      [](tern::FleetRange& r) { r.within = 0; },  [](tern::FleetRange& r) { r.within = 61 * kSecond; },
+      [](tern::FleetRange& r) { r.lease = 0; },   [](tern::FleetRange& r) { r.lease = 3601 * kSecond; }};
+  for (const auto& fault : faults) {
+    tern::FleetSpec wrong = spec(0);
+    fault(wrong.range);
+    EXPECT_EQ(fleet(0).begin(wrong, resting({}, 0), now_), Status::kInvalidArgument);
+  }
+}
+
+}  // namespace
