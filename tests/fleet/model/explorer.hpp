@@ -38,6 +38,7 @@ struct Setting {
   int departures = 0;          ///< vehicles that may leave
   int last_tick = 4;           ///< of each clock
   int skew = 0;                ///< ticks by which clocks may differ
+  int settling = 0;            ///< ticks more until everyone gets on: promises that have to end first
   double seconds = 2.0;        ///< that a plan lasts
   std::size_t in_the_air = 2;  ///< messages of each vehicle that may still arrive: its last ones
   bool in_pieces = false;      ///< state and plans arrive separately

@@ -100,6 +100,7 @@ Setting in_range() {
   setting.range.speed = 10.0;
   setting.range.within = 60 * tern_model::kTick;
   setting.range.lease = 13 * tern_model::kTick;
+  setting.settling = 13;
   return setting;
 }
 
@@ -114,7 +115,7 @@ Setting out_of_range() {
   setting.announcements = 2;
   setting.range.join = 42.5;
   setting.range.lease = 20 * tern_model::kTick;
-  setting.seconds = 24.0;
+  setting.settling = 20;
   return setting;
 }
 

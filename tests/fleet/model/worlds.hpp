@@ -198,7 +198,7 @@ class Worlds {
   /// Messages arrive, and clocks go on, until nothing is announced any more.
   void settle_all(World& world, int& clock) {
     for (int v = 0; v < setting_.vehicles; ++v) world.clocks[index(v)] = static_cast<std::uint8_t>(clock);
-    for (int turn = 0; turn < 4 + static_cast<int>(setting_.seconds); ++turn) {
+    for (int turn = 0; turn < 4 + static_cast<int>(setting_.seconds) + setting_.settling; ++turn) {
       for (int round = 0; round < 4; ++round) deliver_all(world);
       tick(world);
       ++clock;
