@@ -10,7 +10,7 @@ namespace tern {
 void ask_among_things(const TrajectoryStage& stage, Question& question) noexcept {
   question.paced = true;
   question.lengthening = kLengtheningAmongThings;
-  question.feasibility_rounds = stage.has_turned ? 0 : kRoundsAmongThings;
+  question.feasibility_rounds = stage.turns > 0 ? 0 : kRoundsAmongThings;
 }
 
 bool takes_too_long(const TrajectoryStage& stage) noexcept {
@@ -65,9 +65,15 @@ bool meets_nothing_new(TrajectoryStage& stage) noexcept {
 }
 
 bool turns_planes(TrajectoryStage& stage, Work& work) noexcept {
-  if (stage.query.scene == nullptr || !stage.best.found || stage.has_turned) return false;
-  stage.has_turned = true;
-  for (int i = 0; i < stage.chain.count; ++i) stage.chain.duration[i] = stage.best.duration[i];
+  if (stage.query.scene == nullptr || !stage.best.found || stage.turns == kPlaneTurns) return false;
+  double before = 0.0;
+  for (int i = 0; i < stage.chain.count; ++i) {
+    stage.chain.duration[i] = stage.best.duration[i];
+    before += stage.best.duration[i];
+  }
+  if (stage.turns > 0 && before > (1.0 - kWorthATurn) * stage.settled) return false;
+  stage.settled = before;
+  ++stage.turns;
   turn_planes(stage.chain, *stage.query.scene, stage.best.points, stage.separations, work);
   return true;
 }

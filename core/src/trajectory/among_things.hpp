@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the trajectory stage does besides if there are things that move: it holds each plan that improves against all of
-// them, adds planes for what the plan meets, and turns the planes, once, when the durations have settled.
+// them, adds planes for what the plan meets, and turns the planes once the durations have settled.
 #ifndef TERN_TRAJECTORY_AMONG_THINGS_HPP
 #define TERN_TRAJECTORY_AMONG_THINGS_HPP
 
@@ -14,6 +14,10 @@ namespace tern {
 
 /// How often the same durations are tried again with more planes, before there is a plan.
 constexpr int kMostRepeats = 8;
+/// How often the planes are turned and the durations found anew.
+constexpr int kPlaneTurns = 2;
+/// They are turned again only if that made the plan shorter by this part.
+constexpr double kWorthATurn = 0.005;
 /// A plan is not made much longer for want of a solution: that moves it in time, and meets other things.
 constexpr double kLengtheningAmongThings = 1.08;
 constexpr int kRoundsAmongThings = 2;

@@ -268,8 +268,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.best.found = false;
   stage.has_fallback = false;
   stage.warm_count = 0;
-  stage.has_turned = false;
-  stage.repeats = 0;
+  stage.turns = stage.repeats = 0;
   stage.phase = TrajectoryPhase::kFinish;
   stage.chain = chain;
   if (stays(corridor) && is_elastic(stage)) return;
