@@ -174,6 +174,19 @@ TEST(Pace, OfASlowPlanIsBeaten) {
   EXPECT_LT(tern::duration(world.trajectory), 0.95 * tern::duration(slow));
 }
 
+TEST(Pace, IsNoRivalOfAPlanWithDwells) {
+  World world = room_with_two_walls();
+  tern::Via via{};
+  via.position = {2.15, 2.0, 1.05};
+  via.stop = true;
+  via.dwell = 3.0;
+  world.request.vias = &via;
+  world.request.via_count = 1;
+  ASSERT_EQ(world.replan(), Status::kOk);
+  const tern::Trajectory best = world.trajectory;
+  EXPECT_EQ(ask_for_better(world, best, 0.0), Status::kOk);
+}
+
 TEST(Pace, OfAPlanElsewhereIsNoRival) {
   World world = room_with_two_walls();
   ASSERT_EQ(world.replan(), Status::kOk);

@@ -68,7 +68,7 @@ class Planner {
   /// `must_beat` says that `pace` leads to the requested goal, and that you follow what is left of it unless there is a
   /// better plan. If the way leads near it, the optimiser then looks only for a plan of less cost (docs/trajectory.md,
   /// "Duration search"), and the answer is kNoTrajectory if it finds none. That takes less work than a plan that you
-  /// would not follow.
+  /// would not follow. If a via of the request has a dwell, `must_beat` changes nothing.
   Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time,
                bool must_beat = false) noexcept;
   /// Continues the plan as long as work is left. kRunning: there is more to do. Any other answer is the answer of the

@@ -92,8 +92,9 @@ Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work&
   request.time_weight = flight.spec.time_weight;
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(takeover);
-  must_beat = remainder_is_free && same(aim.place, in_flight.place) && !leaves_fence;
-  if (from >= 0.0 && from < in_flight.branch && !flight.stray.is_too_fast) {
+  const bool has_pace = from >= 0.0 && from < in_flight.branch && !flight.stray.is_too_fast;
+  must_beat = has_pace && remainder_is_free && same(aim.place, in_flight.place) && !leaves_fence;
+  if (has_pace) {
     planner->begin(route.grid(), request, in_flight.planned, from, must_beat);
   } else {
     planner->begin(route.grid(), request);
