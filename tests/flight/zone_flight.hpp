@@ -53,10 +53,12 @@ inline double gap(const tern::Box& box, const tern::Vec3& p) {
 
 /// A flight in the room whose commands are held against the zones at each tick.
 struct ZoneFlight : FlightRoom {
-  explicit ZoneFlight(const Zones& around) : FlightRoom(with(around)), zones(around) {}
+  explicit ZoneFlight(const Zones& around, std::int64_t tick = kTick) : FlightRoom(with(around, tick)), zones(around) {}
 
-  static tern::FlightSpec with(const Zones& zones) {
+  static constexpr std::int64_t kTick = 10000000;
+  static tern::FlightSpec with(const Zones& zones, std::int64_t tick = kTick) {
     tern::FlightSpec how = flight_spec();
+    how.tick = tick;
     how.fences = zones.list.data();
     how.fence_count = static_cast<std::int32_t>(zones.list.size());
     return how;

@@ -92,6 +92,10 @@ bool CommonPoint::add(const Halfspace& plane) noexcept {
   return !breaks(wall, nearest_) || move_onto(count_ - 1);
 }
 
+Vec3 CommonPoint::nearest() const noexcept {
+  return center_ + rounded(nearest_);
+}
+
 bool CommonPoint::within_reach() const noexcept {
   double farthest = scale_;
   for (int k = 0; k < count_; ++k) farthest = larger(farthest, absolute(walls_[k].offset.high) / walls_[k].norm);

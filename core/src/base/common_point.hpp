@@ -30,6 +30,8 @@ class CommonPoint {
   /// True if the distance of the nearest common point is at most kFarthest times the scale or the distance of the
   /// farthest plane, whichever is larger. Planes that are parallel but for rounding meet further away.
   bool within_reach() const noexcept;
+  /// The nearest common point, world frame.
+  Vec3 nearest() const noexcept;
 
   static constexpr double kFarthest = 1e5;
 

@@ -4,6 +4,7 @@
 
 #include "base/bounds.hpp"
 #include "base/math.hpp"
+#include "flight/chain.hpp"
 #include "flight/fence_hours.hpp"
 #include "grid/lattice.hpp"
 #include "prove/fences.hpp"
@@ -128,6 +129,15 @@ double time_to_leave(const FlightFacts& flight, const Fence& fence, const Vec3& 
   return kDetour * (ways.count > 0 ? ways.seconds[0] : ways.longest) + kPlanTime;
 }
 
+/// The link that a vehicle must leave before it ends, so that it can stay in the chain.
+std::int32_t closing_link(const FlightFacts& flight, const Vec3& place, std::int64_t rests, double spare, Work& work) {
+  const WaysOn ways = ways_on(flight, place, rests, work);
+  Vec3 to;
+  if (ways.count == 0 || !place_on(flight, ways.way[0], place, to, work)) return kNoFence;
+  const double time = kDetour * gauge(flight.limits.velocity, to - place) + kPlanTime;
+  return ways.way[0].until < time + spare ? ways.way[0].from : kNoFence;
+}
+
 }  // namespace
 
 bool is_clear_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, Work& work) noexcept {
@@ -147,7 +157,17 @@ std::int32_t closing_fence(const FlightFacts& flight, const Vec3& place, std::in
     if (!is_closed(fence, rests, kAnywhere) || is_clear_of(flight, fence, place, work)) continue;
     if (is_closed(fence, rests, time_to_leave(flight, fence, place, work) + spare)) return k;
   }
-  return kNoFence;
+  return flight.has_chain ? closing_link(flight, place, rests, spare, work) : kNoFence;
+}
+
+Vec3 way_on_from(const FlightFacts& flight, const Vec3& place, std::int64_t rests, std::int32_t number,
+                 Work& work) noexcept {
+  const WaysOn ways = ways_on(flight, place, rests, work);
+  const Vec3& next = flight.itinerary.points[flight.itinerary.leg].position;
+  Vec3 to;
+  if (ways.count == 0) return place;
+  const WayOn& way = ways.way[number / 2 % ways.count];
+  return place_on(flight, way, number % 2 == 0 ? place : next, to, work) ? to : place;
 }
 
 Vec3 way_out_of(const FlightFacts& flight, const Fence& fence, const Vec3& place, std::int32_t number,

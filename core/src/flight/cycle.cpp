@@ -145,9 +145,7 @@ void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
   if (looks_out) aim.lead_to(lookouts.place());
   if (leads_out) aim.choose_way_out(flight);
   if (steps_back) aim.choose_step_back(flight);
-  if (leaves_fence)
-    aim.lead_to(
-        way_out_of(flight, flight.fences[closing], aim.start.d[0], static_cast<std::int32_t>(closings / 2) - 1, work));
+  if (leaves_fence) aim.lead_to(way_out(flight, work));
   ask(flight);
 }
 

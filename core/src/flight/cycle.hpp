@@ -164,6 +164,7 @@ struct Cycle {
  private:
   void ask(const FlightFacts& flight) noexcept;
   void note_closing(const FlightFacts& flight, Work& work) noexcept;
+  Vec3 way_out(const FlightFacts& flight, Work& work) const noexcept;
   void close_fences(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
   NextPlan ask_for_less(const FlightFacts& flight, const Report& found) noexcept;
   bool may_move_to_reachable(const Report& found) const noexcept;

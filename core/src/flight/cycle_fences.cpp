@@ -7,14 +7,30 @@
 #include "flight/cycle.hpp"
 
 namespace tern {
+namespace {
+
+/// From when on the vehicle rests where the latest plan ends.
+std::int64_t rests_from(const FlightFacts& flight) {
+  const std::int64_t rests = flight.plans.latest().rests();
+  return rests > flight.time ? rests : flight.time;
+}
+
+}  // namespace
 
 /// By turns, plans lead on to the goal, which may be the shorter way, and out of the fence.
 void Cycle::note_closing(const FlightFacts& flight, Work& work) noexcept {
   const Commitment& latest = flight.plans.latest();
-  const std::int64_t rests = latest.rests() > flight.time ? latest.rests() : flight.time;
-  closing = latest.lifts ? kNoFence : closing_fence(flight, latest.end(), rests, kLeaveSpare, work);
+  closing = latest.lifts ? kNoFence : closing_fence(flight, latest.end(), rests_from(flight), kLeaveSpare, work);
   closings = closing == kNoFence ? 0 : closings + 1;
   leaves_fence = closings > 0 && closings % 2 == 0;
+}
+
+/// Out of the keep-out that is about to begin, or on from the keep-in that is about to end: each turn another way.
+Vec3 Cycle::way_out(const FlightFacts& flight, Work& work) const noexcept {
+  const Fence& fence = flight.fences[closing];
+  const auto number = static_cast<std::int32_t>(closings / 2) - 1;
+  if (fence.kind == FenceKind::kKeepOut) return way_out_of(flight, fence, aim.start.d[0], number, work);
+  return way_on_from(flight, flight.plans.latest().end(), rests_from(flight), number, work);
 }
 
 /// What begins while the vehicle flies the next horizons is closed, too. A fence around the vehicle or the next point

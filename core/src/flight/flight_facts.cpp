@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "base/track_fault.hpp"
+#include "flight/chain.hpp"
 #include "grid/bit_rows.hpp"
 #include "planner/validate.hpp"
 #include "tern/track_proof.hpp"
@@ -42,6 +43,7 @@ void FlightFacts::begin(const FlightSpec& how, const RollingMap& over, const Vec
   shown = t;
   frames = map.frames();
   plans.hover_at(position);
+  find_meetings(*this);
 }
 
 void FlightFacts::begin_tick(std::int64_t t) noexcept {

@@ -32,11 +32,13 @@ constexpr double kAnywhere = 1e9;
 constexpr double kSamePlace = 1e-6;
 
 struct FlightFacts {
-  FlightSpec spec;            ///< its fences are those below
-  const Fence* asked_fences;  ///< the caller's
-  Fence fences[kMaxFences];   ///< the same, with the flight's times
-  bool has_windows;           ///< some of them are for a while
-  MotionLimits limits;        ///< those of the spec
+  FlightSpec spec;                    ///< its fences are those below
+  const Fence* asked_fences;          ///< the caller's
+  Fence fences[kMaxFences];           ///< the same, with the flight's times
+  bool has_windows;                   ///< some of them are for a while
+  bool has_chain;                     ///< some of those are keep-ins
+  bool meet[kMaxFences][kMaxFences];  ///< two keep-ins for a while have a place in common
+  MotionLimits limits;                ///< those of the spec
   RollingMap map;
   FlightClock clock;
   std::int64_t shown;  ///< what the clock showed at the last tick
