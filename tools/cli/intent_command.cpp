@@ -50,6 +50,9 @@ void check_options(IntentOptions& options) {
   if (!options.operators.empty() && !(options.plan_json.empty() && options.json.empty())) {
     throw std::runtime_error("--operators writes no files: leave out --json and --plan");
   }
+  if (!options.operators.empty() && !options.intent.id.empty()) {
+    throw std::runtime_error("--operators names each intent after its scenario's file: leave out --id");
+  }
   const auto epoch = tern_host::parse_instant(options.epoch);
   if (!epoch) throw std::runtime_error("--epoch must be like 2026-03-01T09:30:00Z, with a time zone");
   options.tube.epoch = *epoch;
