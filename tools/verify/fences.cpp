@@ -168,8 +168,9 @@ class RoomSearch {
     return *best;
   }
 
+  /// Points with more room than the least known are told by the first direction that proves it.
   void reach(const Point& point, const Rational& u) {
-    const Rational room = room_of({point}, std::nullopt);
+    const Rational room = room_of({point}, begun_ ? std::optional<Rational>(found_.most) : std::nullopt);
     if (begun_ && room >= found_.most) return;
     begun_ = true;
     found_ = {0, room, curve_, u};
