@@ -16,13 +16,19 @@ namespace {
 
 using namespace tern_test;
 
-tern::FleetSpec vague_spec(std::uint16_t id) {
+tern::FleetSpec vague_spec(std::uint16_t id, bool by_range) {
   tern::FleetSpec spec;
   spec.id = id;
   spec.incarnation = 1;
   spec.radius = 0.5;
   spec.clock_error = 1000;
   spec.tick = kSecond / 10;
+  if (!by_range) return spec;
+  spec.range.join = 20.0;
+  spec.range.heard = 200.0;
+  spec.range.speed = 5.0;
+  spec.range.within = 5;
+  spec.range.lease = 60 * kSecond;
   return spec;
 }
 
@@ -38,14 +44,15 @@ void alter(Random& random, std::uint8_t* packet, std::int32_t size) {
   for (int k = 0; k < 4; ++k) packet[3 + k] = static_cast<std::uint8_t>(crc >> (8 * k));
 }
 
-TEST(FleetFuzz, AlteredPacketsDoNoHarm) {
+/// Vehicle 1 hears what 2 says, often altered.
+void hear_altered_packets(bool by_range) {
   Random random(1);
   const auto first = std::make_unique<tern::Fleet>();
   const auto second = std::make_unique<tern::Fleet>();
   int news = 0;
   for (int turn = 0; turn < scaled(300); ++turn) {
-    ASSERT_EQ(first->begin(vague_spec(1), resting({0, 0, 1}, 0), 0), tern::Status::kOk);
-    ASSERT_EQ(second->begin(vague_spec(2), resting({10, 0, 1}, 0), 0), tern::Status::kOk);
+    ASSERT_EQ(first->begin(vague_spec(1, by_range), resting({0, 0, 1}, 0), 0), tern::Status::kOk);
+    ASSERT_EQ(second->begin(vague_spec(2, by_range), resting({10, 0, 1}, 0), 0), tern::Status::kOk);
     first->add(2, 0);
     second->add(1, 0);
     for (std::int64_t now = 1; now < 40; ++now) {
@@ -69,6 +76,14 @@ TEST(FleetFuzz, AlteredPacketsDoNoHarm) {
     ASSERT_EQ(first->flown()->segments[0].duration, 1.0);
   }
   EXPECT_GT(news, 0);
+}
+
+TEST(FleetFuzz, AlteredPacketsDoNoHarm) {
+  hear_altered_packets(false);
+}
+
+TEST(FleetFuzz, AlteredPacketsDoNoHarmByRange) {
+  hear_altered_packets(true);
 }
 
 }  // namespace

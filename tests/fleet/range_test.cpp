@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "fleet/fleet_access.hpp"
 #include "fleet/plans.hpp"
 #include "tern/fleet.hpp"
 
@@ -20,6 +21,15 @@ using tern::Heard;
 using tern::Status;
 using tern::Vec3;
 
+/// Changes until when a state promises something, which must be all in one packet.
+void forge_until(std::vector<std::uint8_t>& packet, std::int64_t until) {
+  constexpr int kUntil = tern::kPacketHeadBytes + 31;
+  for (int k = 0; k < 8; ++k) packet[kUntil + k] = static_cast<std::uint8_t>(until >> (8 * k));
+  const auto size = static_cast<std::int32_t>(packet.size()) - tern::kPacketHeadBytes;
+  const std::uint32_t crc = tern::crc32(packet.data() + tern::kPacketHeadBytes, size);
+  for (int k = 0; k < 4; ++k) packet[3 + k] = static_cast<std::uint8_t>(crc >> (8 * k));
+}
+
 /// Vehicles 1 and 2 at rest, which hear each other as often as the test says.
 class FleetRangePair : public testing::Test {
  protected:
@@ -32,22 +42,32 @@ class FleetRangePair : public testing::Test {
     spec.id = static_cast<std::uint16_t>(v + 1);
     spec.incarnation = incarnation_;
     spec.radius = 0.5;
+    spec.clock_error = clock_error_;
     spec.tick = kSecond / 10;
     spec.range.join = 20.0;
     spec.range.heard = 200.0;
     spec.range.speed = 5.0;
     spec.range.within = kSecond;
-    spec.range.lease = 8 * kSecond;
+    spec.range.lease = lease_;
     return spec;
   }
   static Vec3 place(int v, double apart) { return {v * apart, 0.0, 1.0}; }
   Fleet& fleet(int v) { return *fleets_[v]; }
-  void say(int from) {
+  /// All packets of a round.
+  std::vector<std::vector<std::uint8_t>> round(int from) {
+    std::vector<std::vector<std::uint8_t>> packets;
     std::uint8_t packet[1400];
     while (const std::int32_t size = fleet(from).write(packet, sizeof packet)) {
-      last_ = fleet(1 - from).receive(packet, size, now_);
+      packets.emplace_back(packet, packet + size);
+    }
+    return packets;
+  }
+  void hear(int to, const std::vector<std::vector<std::uint8_t>>& packets) {
+    for (const auto& packet : packets) {
+      last_ = fleet(to).receive(packet.data(), static_cast<std::int32_t>(packet.size()), now_);
     }
   }
+  void say(int from) { hear(1 - from, round(from)); }
   void advance(int v) {
     tern::Work work(100000);
     fleet(v).advance(now_, work);
@@ -77,6 +97,8 @@ class FleetRangePair : public testing::Test {
 
   std::int64_t now_ = kSecond;
   double apart_ = 0.0;
+  std::int64_t lease_ = 8 * kSecond;
+  std::int64_t clock_error_ = 0;
   std::uint32_t incarnation_ = 1;
   Heard last_ = Heard::kNews;
   std::unique_ptr<Fleet> fleets_[2] = {std::make_unique<Fleet>(), std::make_unique<Fleet>()};
@@ -136,6 +158,83 @@ TEST_F(FleetRangePair, PlansLongerThanThePromiseAreInTheWay) {
   ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {0, 2, 1}, takeover, 8.0), takeover, now_), Status::kOk);
   advance(0);
   expect_dropped(0, FleetBlock::kStranger, 2);
+}
+
+// 1 has the right of way and is bound to 2, which is not yet bound to 1 and takes a plan over unasked while 1 is
+// between its proof about 2 and the announcement. Then 2 promises to be bound until 1's plan rests.
+TEST_F(FleetRangePair, WhatAMemberTookOverUnaskedIsProvenBeforeItsPromiseCounts) {
+  lease_ = 30 * kSecond;
+  begin(18.0);
+  now_ += 11 * kSecond / 10;
+  for (int k = 0; k < 2; ++k) {  // both hear where the other one is, then what it says of itself
+    now_ += kSecond / 10;
+    for (const int v : {0, 1}) advance(v);
+    for (const int v : {0, 1}) say(v);
+  }
+  now_ += kSecond / 10;
+  for (const int v : {0, 1}) advance(v);
+  const auto late = round(0);
+  const std::int64_t unasked = now_ + kSecond / 5;
+  ASSERT_EQ(fleet(1).announce(straight({18, 0, 1}, {16.2, 0, 1}, unasked, 1.0), unasked, now_), Status::kOk);
+  advance(1);
+  ASSERT_TRUE(fleet(1).report().cleared) << "nobody binds it";
+  // Clear of where 2 is, and not of where it goes.
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {16.9, 0, 1}, takeover, 8.0), takeover, now_), Status::kOk);
+  for (int k = 0; k < 1000 && tern::memory_of(fleet(0))->job.peer == 0; ++k) {
+    tern::Work little = tern::Work(1).within(1);
+    fleet(0).advance(now_, little);
+  }
+  ASSERT_EQ(fleet(0).report().announcement, Announcement::kProving);
+  ASSERT_EQ(tern::memory_of(fleet(0))->job.peer, 1) << "the proof about 2 is over";
+  hear(1, late);
+  now_ = unasked;
+  advance(1);
+  ASSERT_EQ(fleet(1).report().announcement, Announcement::kTaken);
+  say(1);
+  advance(0);
+  expect_dropped(0, FleetBlock::kConflict, 2);
+}
+
+TEST_F(FleetRangePair, AVehicleWhoseClockIsBehindIsInTheWayAsLong) {
+  clock_error_ = kSecond / 2;
+  begin(25.0);
+  now_ += 2 * kSecond;
+  advance(1);
+  const auto beacon = round(1);
+  now_ += kSecond / 2;  // by which the other one's clock is behind
+  hear(0, beacon);
+  now_ += 9 * kSecond / 10;  // it is 0.9 s old
+  advance(0);
+  announce(0);
+  expect_dropped(0, FleetBlock::kStranger, 2);
+}
+
+TEST_F(FleetRangePair, WhoLeftIsInTheWayAsLongAsItsBeaconsCome) {
+  begin(15.0);
+  go_on(2.0);
+  fleet(1).leave(now_);
+  go_on(20.0);  // longer than what was promised before
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {14.5, 0, 1}, takeover, 4.0), takeover, now_), Status::kOk);
+  advance(0);
+  expect_dropped(0, FleetBlock::kConflict, 2);
+}
+
+TEST_F(FleetRangePair, NobodyPromisesForLongerThanItsLease) {
+  begin(15.0);
+  go_on(2.0);
+  const std::int64_t trusted = tern::memory_of(fleet(0))->peers[0].link.trusted;
+  ASSERT_GT(trusted, now_);
+  for (const std::int64_t until : {INT64_MIN, INT64_MAX, now_ + lease_ + 1}) {
+    ASSERT_EQ(fleet(1).announce(resting(place(1, 15.0), now_), now_ + kSecond, now_), Status::kOk);
+    advance(1);  // has something new to say
+    for (std::vector<std::uint8_t> packet : round(1)) {
+      if (packet[0] == tern::form_of(tern::MessageKind::kRangeState)) forge_until(packet, until);
+      hear(0, {packet});
+    }
+    EXPECT_EQ(tern::memory_of(fleet(0))->peers[0].link.trusted, trusted) << until;
+  }
 }
 
 TEST_F(FleetRangePair, PromisesEndAndOutliveABeginning) {

@@ -25,7 +25,8 @@ struct FleetRange {
   /// m: so near, another vehicle becomes a member; a quarter farther away, it is none any more. At most kMaxNeighbours
   /// do, the nearest ones. 0: members are those of Fleet::add() alone, and nothing else here counts.
   double join = 0.0;
-  /// m, above 0: of each vehicle whose body is nearer than that all the time, a beacon comes in any time of `within`.
+  /// m, above 0: of each vehicle whose body was nearer than that for the whole of the last `within`, a beacon has
+  /// arrived that is at most `within` old.
   double heard = 0.0;
   /// m/s, above 0, on each axis: no vehicle of the fleet is ever faster.
   double speed = 0.0;
@@ -151,7 +152,8 @@ class Fleet {
   /// Drops the plan that is announced, if it was not taken over. The one that is flown goes on.
   void withdraw(int64_t now) noexcept;
   /// The vehicle flies no more after the plan that it flies: it landed, or its radio goes off. From then on, the others
-  /// keep clear of the place where that ends, and ask it nothing, once they heard of it.
+  /// keep clear of the place where that ends, and ask it nothing, once they heard of it. By range, they do so only as
+  /// long as its beacons come: go on with write(), or make the place an obstacle for all others.
   void leave(int64_t now) noexcept;
 
   /// Takes a packet: `size` bytes. Work is bounded by some twenty instructions a byte of a message.

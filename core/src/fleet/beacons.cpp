@@ -6,7 +6,6 @@ namespace tern {
 namespace {
 
 constexpr double kFarthestPlace = 1e9;
-constexpr std::int64_t kEarliest = -(std::int64_t{1} << 61);
 
 bool is_place(const Vec3& place) {
   return absolute(place.x) <= kFarthestPlace && absolute(place.y) <= kFarthestPlace &&
@@ -81,7 +80,7 @@ std::int32_t find_peer(const FleetMemory& fleet, std::uint16_t id) noexcept {
 }
 
 bool is_stale(const FleetMemory& fleet, const Beacon& beacon, std::int64_t now) noexcept {
-  return now - beacon.stamp > fleet.spec.range.within;
+  return now - beacon.stamp > fleet.spec.range.within + fleet.spec.clock_error;
 }
 
 double strayed(const FleetMemory& fleet, double since) noexcept {

@@ -27,6 +27,11 @@ void meet_again(FleetMemory& fleet, Peer& peer, bool has_begun, std::int64_t now
   peer.consent = Consent::kNone;
 }
 
+/// A promise that a member with the same lease can have made by now.
+bool is_lease(const FleetMemory& fleet, std::int64_t until, std::int64_t now) {
+  return until >= kEarliest && until <= now + fleet.spec.clock_error + fleet.spec.range.lease;
+}
+
 /// What the newest state says of the two records of each other.
 void hear_link(const FleetMemory& fleet, const StateHead& state, const Answer& answer, bool has_begun, Link& link) {
   link.its = answer.link;
@@ -49,9 +54,13 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   if (!is_newer(state, peer.state)) return Heard::kOld;
   const bool by_range = is_by_range(fleet);
   if (by_range != (state.until != 0)) return Heard::kStranger;
+  if (by_range && !is_lease(fleet, state.until, now)) return Heard::kClockAhead;
   const bool has_begun = state.incarnation != peer.state.incarnation || (by_range && answer.link != peer.link.its);
   if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);
   if (by_range) hear_link(fleet, state, answer, has_begun, peer.link);
+  // A member may have taken this over unasked, before it made the promise that this state brings. So what was proven of
+  // it before counts no more, even if the proof about it is over.
+  if (by_range && state.flown != peer.state.flown) restart_jobs(fleet);
   peer.state = state;
   peer.answer = answer;
   peer.state_crc = crc;
