@@ -11,7 +11,7 @@ namespace tern {
 namespace {
 
 /// As many metres outside of a link, a place still counts as in it, as in proofs.
-constexpr double kAtFace = 1e-9;
+constexpr double kOutside = 1e-9;
 /// How far a place on the way keeps from the faces of its links, voxels: the first that leaves a place.
 constexpr double kKept[3] = {kAimVoxels, 0.25 * kAimVoxels, 0.0};
 
@@ -31,7 +31,7 @@ struct Links {
     for (std::int32_t k = 0; k < count; ++k) {
       const Fence& fence = flight.fences[k];
       hours[k] = is_link(fence) ? hours_of(fence, rests) : FenceHours{0.0, -1.0};
-      around[k] = hours[k].begin < hours[k].end && fence_clear(fence, {place, 0.0, kAtFace}, &kZero, 1, work);
+      around[k] = hours[k].begin < hours[k].end && fence_clear(fence, {place, 0.0, kOutside}, &kZero, 1, work);
     }
   }
 };
