@@ -51,7 +51,7 @@ Hop::Hop(Surprise surprise)
       spec_(tern::flight_spec({{kSpeed, kSpeed, 2.0}, {kAcceleration, kAcceleration, kAcceleration}})) {
   look_around(kStart);
   add({{0.1, -1.2, -2.0}, {0.4, 0.9, 2.0}});
-  spec_.work_per_tick = 2000;
+  spec_.work_per_tick = 1000;
   spec_.plan_work = 8000;
   spec_.near = 0.5;
   spec_.horizon = 3.0;
