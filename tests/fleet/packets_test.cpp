@@ -131,13 +131,15 @@ TEST(FleetPackets, RefusesWhatDoesNotFitTheMessage) {
 void expect_state_comes_back(bool by_range) {
   std::uint8_t bytes[tern::state_bytes(2, true)] = {};
   tern::ByteWriter out(bytes);
-  tern::write_state({4, 11, 12, -13, 14, 15, 350, 200, true, by_range ? 16 : 0}, 2, out);
+  tern::write_state({4, 11, 12, -13, 14, 15, 350, 200, true, by_range ? 16 : 0}, by_range, 2, out);
   tern::append_answer({5, 21, 22, tern::Consent::kNo, false, 23, 24, false}, by_range, out);
   tern::append_answer({6, 31, 32, tern::Consent::kYes, true, 33, 34, true}, by_range, out);
   ASSERT_EQ(out.size(), by_range ? 41 + 2 * 21 : 33 + 2 * 12);
   tern::StateHead state{};
   tern::Answer answer{};
-  ASSERT_TRUE(tern::read_state(bytes, out.size(), 6, state, answer));
+  bool is_by_range = !by_range;
+  ASSERT_TRUE(tern::read_state(bytes, out.size(), 6, state, is_by_range, answer));
+  EXPECT_EQ(is_by_range, by_range);
   EXPECT_EQ(state.id, 4);
   EXPECT_EQ(state.incarnation, 11u);
   EXPECT_EQ(state.counter, 12u);
@@ -155,9 +157,10 @@ void expect_state_comes_back(bool by_range) {
   EXPECT_EQ(answer.link, by_range ? 33u : 0u);
   EXPECT_EQ(answer.its, by_range ? 34u : 0u);
   EXPECT_EQ(answer.promises, by_range);
-  ASSERT_TRUE(tern::read_state(bytes, out.size(), 7, state, answer));
+  ASSERT_TRUE(tern::read_state(bytes, out.size(), 7, state, is_by_range, answer));
   EXPECT_EQ(answer.incarnation, 0u) << "no answer to 7";
-  for (std::int32_t size = 0; size < out.size(); ++size) EXPECT_FALSE(tern::read_state(bytes, size, 6, state, answer));
+  for (std::int32_t size = 0; size < out.size(); ++size)
+    EXPECT_FALSE(tern::read_state(bytes, size, 6, state, is_by_range, answer));
 }
 
 TEST(FleetStateBytes, ComesBack) {

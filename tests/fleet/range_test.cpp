@@ -4,105 +4,48 @@
 // Members by range: who becomes one and who is none any more, and which plans need nobody's agreement.
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <vector>
 
 #include "fleet/fleet_access.hpp"
 #include "fleet/plans.hpp"
+#include "fleet/range_pair.hpp"
 #include "tern/fleet.hpp"
 
 namespace {
 
 using namespace tern_test;
 using tern::Announcement;
-using tern::Fleet;
 using tern::FleetBlock;
 using tern::Heard;
 using tern::Status;
-using tern::Vec3;
 
-/// Changes until when a state promises something, which must be all in one packet.
-void forge_until(std::vector<std::uint8_t>& packet, std::int64_t until) {
-  constexpr int kUntil = tern::kPacketHeadBytes + 31;
-  for (int k = 0; k < 8; ++k) packet[kUntil + k] = static_cast<std::uint8_t>(until >> (8 * k));
+/// Gives a packet with a whole message the right checksum.
+void sign(std::vector<std::uint8_t>& packet) {
   const auto size = static_cast<std::int32_t>(packet.size()) - tern::kPacketHeadBytes;
   const std::uint32_t crc = tern::crc32(packet.data() + tern::kPacketHeadBytes, size);
   for (int k = 0; k < 4; ++k) packet[3 + k] = static_cast<std::uint8_t>(crc >> (8 * k));
 }
 
-/// Vehicles 1 and 2 at rest, which hear each other as often as the test says.
-class FleetRangePair : public testing::Test {
- protected:
-  void begin(double apart) {
-    for (int v = 0; v < 2; ++v) ASSERT_EQ(fleet(v).begin(spec(v), resting(place(v, apart), 0), now_), Status::kOk);
-    apart_ = apart;
-  }
-  tern::FleetSpec spec(int v) const {
-    tern::FleetSpec spec;
-    spec.id = static_cast<std::uint16_t>(v + 1);
-    spec.incarnation = incarnation_;
-    spec.radius = 0.5;
-    spec.clock_error = clock_error_;
-    spec.tick = kSecond / 10;
-    spec.range.join = 20.0;
-    spec.range.heard = 200.0;
-    spec.range.speed = 5.0;
-    spec.range.within = kSecond;
-    spec.range.lease = lease_;
-    return spec;
-  }
-  static Vec3 place(int v, double apart) { return {v * apart, 0.0, 1.0}; }
-  Fleet& fleet(int v) { return *fleets_[v]; }
-  /// All packets of a round.
-  std::vector<std::vector<std::uint8_t>> round(int from) {
-    std::vector<std::vector<std::uint8_t>> packets;
-    std::uint8_t packet[1400];
-    while (const std::int32_t size = fleet(from).write(packet, sizeof packet)) {
-      packets.emplace_back(packet, packet + size);
-    }
-    return packets;
-  }
-  void hear(int to, const std::vector<std::vector<std::uint8_t>>& packets) {
-    for (const auto& packet : packets) {
-      last_ = fleet(to).receive(packet.data(), static_cast<std::int32_t>(packet.size()), now_);
-    }
-  }
-  void say(int from) { hear(1 - from, round(from)); }
-  void advance(int v) {
-    tern::Work work(100000);
-    fleet(v).advance(now_, work);
-  }
-  /// Ticks in which each hears the other.
-  void go_on(double seconds) {
-    for (const std::int64_t end = now_ + static_cast<std::int64_t>(1e9 * seconds); now_ < end;) {
-      now_ += kSecond / 10;
-      for (const int v : {0, 1}) {
-        advance(v);
-        say(v);
-      }
-    }
-  }
-  /// Two metres aside, in 4 s, a second ahead.
-  void announce(int v) {
-    const Vec3 from = place(v, apart_);
-    const tern::Trajectory plan = straight(from, {from.x, from.y + 2.0, from.z}, now_ + kSecond, 4.0);
-    ASSERT_EQ(fleet(v).announce(plan, now_ + kSecond, now_), Status::kOk);
-    advance(v);
-  }
-  void expect_dropped(int v, FleetBlock why, std::uint16_t by) {
-    EXPECT_EQ(fleet(v).report().announcement, Announcement::kDropped);
-    EXPECT_EQ(fleet(v).report().blocked, why);
-    EXPECT_EQ(fleet(v).report().blocked_by, by);
-  }
+/// Changes until when a state promises something, which must be all in one packet.
+void forge_until(std::vector<std::uint8_t>& packet, std::int64_t until) {
+  constexpr int kUntil = tern::kPacketHeadBytes + 31;
+  for (int k = 0; k < 8; ++k) packet[kUntil + k] = static_cast<std::uint8_t>(until >> (8 * k));
+  sign(packet);
+}
 
-  std::int64_t now_ = kSecond;
-  double apart_ = 0.0;
-  std::int64_t lease_ = 8 * kSecond;
-  std::int64_t clock_error_ = 0;
-  std::uint32_t incarnation_ = 1;
-  Heard last_ = Heard::kNews;
-  std::unique_ptr<Fleet> fleets_[2] = {std::make_unique<Fleet>(), std::make_unique<Fleet>()};
-};
+/// What a vehicle of half a metre says of itself.
+std::vector<std::uint8_t> beacon_of(std::uint16_t id, const tern::Vec3& place, std::int64_t now) {
+  std::uint8_t bytes[tern::kBeaconBytes];
+  tern::ByteWriter out(bytes);
+  out.put(tern::form_of(tern::MessageKind::kBeacon));
+  out(id, now, place.x, place.y, place.z, std::uint16_t{500});
+  std::vector<std::uint8_t> packet(tern::kFleetBeaconRoom);
+  std::int32_t first = 0;
+  const std::int32_t size = tern::write_packet(bytes, tern::kBeaconBytes, tern::crc32(bytes, tern::kBeaconBytes), id,
+                                               packet.data(), tern::kFleetBeaconRoom, first);
+  packet.resize(static_cast<std::size_t>(size));
+  return packet;
+}
 
 TEST_F(FleetRangePair, NobodyAsksWhoIsFarAway) {
   begin(100.0);
@@ -118,7 +61,7 @@ TEST_F(FleetRangePair, NobodyAsksWhoIsFarAway) {
 TEST_F(FleetRangePair, NobodyFliesBeforeItListened) {
   begin(100.0);
   announce(0);
-  expect_dropped(0, FleetBlock::kUnheard, 1);
+  expect_dropped(0, FleetBlock::kUnheard, 0);
 }
 
 TEST_F(FleetRangePair, APlanThatLeadsTooFarIsDropped) {
@@ -127,7 +70,7 @@ TEST_F(FleetRangePair, APlanThatLeadsTooFarIsDropped) {
   const std::int64_t takeover = now_ + kSecond;
   ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {0, 300, 1}, takeover, 4.0), takeover, now_), Status::kOk);
   advance(0);
-  expect_dropped(0, FleetBlock::kUnheard, 1);
+  expect_dropped(0, FleetBlock::kUnheard, 0);
 }
 
 TEST_F(FleetRangePair, WhoMayComeTooNearIsInTheWay) {
@@ -272,7 +215,7 @@ TEST_F(FleetRangePair, BeaconsThatAreOldDamagedOrAhead) {
   begin(100.0);
   advance(1);
   std::uint8_t packet[tern::kFleetBeaconRoom];
-  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom - 1), 0) << "no room for a beacon, and nothing else to say";
+  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom - 1), 0) << "nothing is said without the beacon";
   const std::int32_t size = fleet(1).write(packet, tern::kFleetBeaconRoom);
   ASSERT_EQ(size, 48);
   EXPECT_EQ(fleet(0).receive(packet, size, now_ - 1), Heard::kClockAhead);
@@ -282,6 +225,58 @@ TEST_F(FleetRangePair, BeaconsThatAreOldDamagedOrAhead) {
   EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kOld);
   packet[20] ^= 1;
   EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kDamaged);
+}
+
+TEST_F(FleetRangePair, BeaconsThatAreNone) {
+  begin(100.0);
+  advance(1);
+  const std::vector<std::uint8_t> packet = round(1)[0];
+  for (const int at : {7, 9, tern::kPacketHeadBytes}) {  // the message's size, this packet's part, the message's kind
+    std::vector<std::uint8_t> forged = packet;
+    ++forged[static_cast<std::size_t>(at)];
+    if (at == tern::kPacketHeadBytes) sign(forged);
+    hear(0, {forged});
+    EXPECT_EQ(last_, Heard::kDamaged) << at;
+  }
+}
+
+TEST_F(FleetRangePair, NobodySpeaksOfMembersWithoutABeacon) {
+  begin(15.0);
+  go_on(2.0);
+  announce(1);
+  std::uint8_t packet[tern::kFleetBeaconRoom];
+  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom - 1), 0);
+  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom), 48);
+  EXPECT_GT(fleet(1).write(packet, tern::kFleetBeaconRoom), 0);
+}
+
+TEST_F(FleetRangePair, AMemberOfAListIsNotPromisedAnythingByRange) {
+  tern::FleetSpec by_list = spec(0);
+  by_list.range = tern::FleetRange{};
+  ASSERT_EQ(fleet(0).begin(by_list, resting({}, 0), now_), Status::kOk);
+  ASSERT_EQ(fleet(0).add(2, now_), Status::kOk);
+  ++incarnation_;
+  ASSERT_EQ(fleet(0).begin(spec(0), resting({}, 0), now_), Status::kOk);
+  EXPECT_EQ(fleet(0).neighbours(), 0);
+}
+
+TEST_F(FleetRangePair, VehiclesThatWereLeftOutAreForgottenInTime) {
+  begin(100.0);
+  std::int64_t now = now_;
+  tern::FleetMemory& memory = *tern::memory_of(fleet(0));
+  advance(0);
+  // More vehicles than there is room for, all the time: first one that comes to 20 m, then all stay beyond 60 m.
+  double least = 0.0;
+  for (int turn = 0; turn < 40; ++turn, now += kSecond / 10) {
+    now_ = now;
+    advance(0);
+    for (int k = 0; k < tern::kMaxBeacons + 2; ++k) {
+      hear(0, {beacon_of(static_cast<std::uint16_t>(10 + k), {turn == 0 ? 20.0 : 60.0, 0, 1}, now)});
+    }
+    least = tern::gap_to_unkept(memory, now);
+    EXPECT_TRUE(turn > 10 || least < 20.0) << turn;
+  }
+  EXPECT_GT(least, 40.0);
 }
 
 TEST_F(FleetRangePair, RangesThatAreRefused) {

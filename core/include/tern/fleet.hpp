@@ -117,7 +117,7 @@ struct Neighbour {
 /// Bytes of the smallest packet that write() makes. They suit every link with packets of 27 bytes or more.
 constexpr int32_t kFleetPacketBytes = 27;
 
-/// Room that write() needs to tell others of this vehicle's place, where members come by range.
+/// Room that write() needs where members come by range: so much has the packet with this vehicle's place.
 constexpr int32_t kFleetBeaconRoom = 59;
 /// Vehicles whose places a fleet remembers, where members come by range. Of more, it remembers the nearest ones, and
 /// plans end before the others can reach them (FleetBlock::kUnheard).
@@ -159,8 +159,8 @@ class Fleet {
   /// Takes a packet: `size` bytes. Work is bounded by some twenty instructions a byte of a message.
   Heard receive(const uint8_t* packet, int32_t size, int64_t now) noexcept;
   /// Writes the next packet to send, to all members, of at most `room` bytes. Its size, or 0 at the end of a round, and
-  /// if `room` is below kFleetPacketBytes. A round has what the vehicle says of itself, and its plans as long as a
-  /// member has not got them. Send a round from time to time, and when something changed.
+  /// if `room` is below kFleetPacketBytes, or kFleetBeaconRoom by range. A round has what the vehicle says of itself,
+  /// and its plans as long as a member has not got them. Send a round from time to time, and when something changed.
   int32_t write(uint8_t* packet, int32_t room) noexcept;
   /// Call it every tick. Takes over or drops the plan that is announced, if it is time, and goes on with proofs as long
   /// as work is left. `now` must not go back.

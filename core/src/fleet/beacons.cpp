@@ -35,9 +35,12 @@ double gap_to(const FleetMemory& fleet, const Beacon& beacon, std::int64_t now) 
 /// The vehicle's own place is as old as its last tick.
 void leave_out(FleetMemory& fleet, double gap, std::int64_t now) {
   gap -= fleet.spec.range.speed * seconds(fleet.spec.tick);
-  NearestUnkept& beyond = fleet.beacons.beyond;
-  beyond.gap = now - beyond.time > fleet.spec.range.within ? gap : smaller(beyond.gap, gap);
-  beyond.time = now;
+  NearestUnkept(&beyond)[2] = fleet.beacons.beyond;
+  if (now - beyond[0].begun > fleet.spec.range.within) {
+    beyond[1] = beyond[0];
+    beyond[0] = {kNowhere, now};
+  }
+  beyond[0].gap = smaller(beyond[0].gap, gap);
 }
 
 void take_out(Beacons& beacons, std::int32_t at) {
@@ -83,6 +86,16 @@ bool is_stale(const FleetMemory& fleet, const Beacon& beacon, std::int64_t now) 
   return now - beacon.stamp > fleet.spec.range.within + fleet.spec.clock_error;
 }
 
+// What was left out less than `within` ago counts; older gaps, of vehicles that were heard again since, may count as
+// well.
+double gap_to_unkept(const FleetMemory& fleet, std::int64_t now) noexcept {
+  double gap = kNowhere;
+  for (const NearestUnkept& beyond : fleet.beacons.beyond) {
+    if (now - beyond.begun <= 2 * fleet.spec.range.within) gap = smaller(gap, beyond.gap);
+  }
+  return gap;
+}
+
 double strayed(const FleetMemory& fleet, double since) noexcept {
   return fleet.spec.range.speed * (larger(since, 0.0) + seconds(fleet.spec.clock_error));
 }
@@ -94,7 +107,6 @@ std::uint16_t whole_millimetres(double metres) noexcept {
 }
 
 std::int32_t write_beacon(const FleetMemory& fleet, std::uint8_t* packet, std::int32_t room) noexcept {
-  if (room < kFleetBeaconRoom) return 0;
   const Trajectory& flown = fleet.own[fleet.flown].plan;
   const std::int64_t now = fleet.beacons.now;
   const Vec3 place = evaluate(flown, time_on(flown, now)).position;
@@ -109,7 +121,8 @@ std::int32_t write_beacon(const FleetMemory& fleet, std::uint8_t* packet, std::i
 Heard hear_beacon(FleetMemory& fleet, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,
                   std::int64_t now) noexcept {
   const std::uint8_t* const bytes = packet + kPacketHeadBytes;
-  if (size != kPacketHeadBytes + kBeaconBytes || crc32(bytes, kBeaconBytes) != head.crc) return Heard::kDamaged;
+  const bool is_whole = head.size == kBeaconBytes && head.first == 0 && size == kPacketHeadBytes + kBeaconBytes;
+  if (!is_whole || bytes[0] != head.form || crc32(bytes, kBeaconBytes) != head.crc) return Heard::kDamaged;
   Beacon beacon{};
   ByteReader in(bytes, kBeaconBytes);
   in.skip(1);

@@ -30,20 +30,21 @@ constexpr std::int64_t kEarliest = -(std::int64_t{1} << 61);
 constexpr std::int32_t kBeaconBytes = 37;
 static_assert(kPacketHeadBytes + in_whole_parts(kBeaconBytes) == kFleetBeaconRoom, "tern/fleet.hpp says so");
 
-/// Besides the vehicles in the table, there may be others, no body nearer than `gap` then.
+/// Besides the vehicles in the table, there may be others: of those left out since `begun`, for as long as
+/// FleetRange::within, none was nearer.
 struct NearestUnkept {
-  double gap;         ///< m, on the axis on which it is largest
-  std::int64_t time;  ///< ns
+  double gap;          ///< m, on the axis on which it is largest
+  std::int64_t begun;  ///< ns
 };
 
 /// All that is heard of vehicles near and far, in the order of their ids.
 struct Beacons {
   std::int32_t count;
-  std::uint32_t links;   ///< members that were added, counted
-  std::int64_t begun;    ///< when listening began, ns
-  std::int64_t now;      ///< of the last Fleet::advance(), ns
-  Vec3 place;            ///< of the vehicle at `now`
-  NearestUnkept beyond;  ///< those that the table had no room for
+  std::uint32_t links;      ///< members that were added, counted
+  std::int64_t begun;       ///< when listening began, ns
+  std::int64_t now;         ///< of the last Fleet::advance(), ns
+  Vec3 place;               ///< of the vehicle at `now`
+  NearestUnkept beyond[2];  ///< those that the table had no room for, of late and before
   Beacon of[kMaxBeacons];
 };
 
@@ -60,12 +61,14 @@ double seconds(std::int64_t time) noexcept;
 Beacon* find_beacon(Beacons& beacons, std::uint16_t id) noexcept;
 /// Its place in FleetMemory::peers; peer_count if it is no member.
 std::int32_t find_peer(const FleetMemory& fleet, std::uint16_t id) noexcept;
+/// How near a vehicle that the table had no room for was of late, at least, m.
+double gap_to_unkept(const FleetMemory& fleet, std::int64_t now) noexcept;
 /// It is not true any more that the vehicle would be heard if it were near.
 bool is_stale(const FleetMemory& fleet, const Beacon& beacon, std::int64_t now) noexcept;
 /// How far a vehicle may be from its place `since` s later, by this vehicle's clock: on each axis, m.
 double strayed(const FleetMemory& fleet, double since) noexcept;
 
-/// Writes the vehicle's own beacon as a packet. Its size, 0 if there is no room.
+/// Writes the vehicle's own beacon as a packet, `room` at least kFleetBeaconRoom. Its size.
 std::int32_t write_beacon(const FleetMemory& fleet, std::uint8_t* packet, std::int32_t room) noexcept;
 /// Takes the packet of a beacon.
 Heard hear_beacon(FleetMemory& fleet, const PacketHead& head, const std::uint8_t* packet, std::int32_t size,

@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/work.hpp"
 #include "fleet/fleet_memory.hpp"
 
 namespace tern {
@@ -21,12 +22,6 @@ Box hull_of(const Segment& segment) {
   return hull;
 }
 
-Box hull_of(const Trajectory& plan) {
-  Box hull = hull_of(plan.segments[0]);
-  for (std::int32_t s = 1; s < plan.count; ++s) grow(hull, plan.segments[s]);
-  return hull;
-}
-
 /// How far a place is from a box, on the axis on which that is most, m.
 double gap_between(const Box& hull, const Vec3& place) {
   double gap = 0.0;
@@ -41,65 +36,70 @@ double reach_from(const Box& hull, const Vec3& place) {
   return larger(axis_distance(hull.lower, place), axis_distance(hull.upper, place));
 }
 
-/// A plan against vehicles that may go anywhere. `since`: from when on, s after its beginning.
-struct TimedPlan {
-  const Trajectory& plan;
-  const Box& hull;
-  double since;
+/// A part of a plan, or all of it.
+struct Stretch {
+  Box hull;    ///< from the plan's origin
+  double end;  ///< s after the plan's beginning
 };
 
-/// True if each segment keeps clear. First the whole plan at once, which is enough for most.
-template <typename Clear>
-bool is_clear(const TimedPlan& flown, Clear clear) {
-  const Trajectory& plan = flown.plan;
-  if (clear(flown.hull, duration(plan) - flown.since)) return true;
-  double end = -flown.since;
-  for (std::int32_t s = 0; s < plan.count; ++s) {
-    end += plan.segments[s].duration;
-    if (!clear(hull_of(plan.segments[s]), end)) return false;
-  }
-  return true;
-}
-
-bool is_clear_of(const FleetMemory& fleet, const Trajectory& plan, const Box& whole, const Beacon& beacon) {
+bool is_clear_of(const FleetMemory& fleet, const Trajectory& plan, const Stretch& part, const Beacon& beacon) {
   const double radii = fleet.spec.radius + 1e-3 * beacon.radius + kRounding;
-  const Vec3 place = beacon.place - plan.origin;
-  return is_clear({plan, whole, time_on(plan, beacon.stamp)},
-                  [&](const Box& hull, double age) { return gap_between(hull, place) >= radii + strayed(fleet, age); });
+  const double age = part.end - time_on(plan, beacon.stamp);
+  return gap_between(part.hull, beacon.place - plan.origin) >= radii + strayed(fleet, age);
 }
 
 /// Of vehicles that were not heard, or that the table has no room for.
-bool is_clear_of_unheard(const FleetMemory& fleet, const Trajectory& plan, const Box& whole, std::int64_t now) {
+bool is_clear_of_unheard(const FleetMemory& fleet, const Trajectory& plan, const Stretch& part, std::int64_t now) {
   const FleetRange& range = fleet.spec.range;
   const Beacons& beacons = fleet.beacons;
   if (now - beacons.begun <= range.within) return false;
-  double gap = range.heard;
-  if (now - beacons.beyond.time <= range.within) gap = smaller(gap, beacons.beyond.gap);
   // Both may have moved since they were that far apart.
-  gap -= 2.0 * range.speed * seconds(range.within) + fleet.spec.radius + kRounding;
-  const Vec3 place = beacons.place - plan.origin;
-  return is_clear({plan, whole, time_on(plan, now)},
-                  [&](const Box& hull, double age) { return reach_from(hull, place) + strayed(fleet, age) <= gap; });
+  const double gap = smaller(range.heard, gap_to_unkept(fleet, now)) - 2.0 * range.speed * seconds(range.within) -
+                     fleet.spec.radius - kRounding;
+  return reach_from(part.hull, beacons.place - plan.origin) + strayed(fleet, part.end - time_on(plan, now)) <= gap;
 }
 
-}  // namespace
+/// It follows the rules of the right of way until the plan rests, as this vehicle does.
+bool is_trusted(const FleetMemory& fleet, const Trajectory& plan, const Beacon& beacon) {
+  const std::int32_t p = beacon.is_member ? find_peer(fleet, beacon.id) : fleet.peer_count;
+  const std::int64_t rest = plan.begin + static_cast<std::int64_t>(1e9 * duration(plan)) + 1;
+  return p < fleet.peer_count && fleet.peers[p].link.binds && fleet.peers[p].link.trusted >= rest;
+}
 
-bool is_clear_alone(const FleetMemory& fleet, std::int64_t now, FleetBlock& why, std::uint16_t& by) noexcept {
-  const OwnPlan& next = next_plan(fleet);
-  const Box whole = hull_of(next.plan);
-  const std::int64_t rest = next.plan.begin + static_cast<std::int64_t>(1e9 * duration(next.plan)) + 1;
+/// Of all vehicles, or `why` and `by` say of whom not.
+bool is_clear(const FleetMemory& fleet, const Stretch& part, std::int64_t now, FleetBlock& why, std::uint16_t& by) {
+  const Trajectory& plan = next_plan(fleet).plan;
   for (std::int32_t k = 0; k < fleet.beacons.count; ++k) {
     const Beacon& beacon = fleet.beacons.of[k];
-    if (is_stale(fleet, beacon, now) || is_clear_of(fleet, next.plan, whole, beacon)) continue;
-    const std::int32_t p = beacon.is_member ? find_peer(fleet, beacon.id) : fleet.peer_count;
-    if (p < fleet.peer_count && fleet.peers[p].link.binds && fleet.peers[p].link.trusted >= rest) continue;
+    if (is_stale(fleet, beacon, now) || is_clear_of(fleet, plan, part, beacon)) continue;
+    if (is_trusted(fleet, plan, beacon)) continue;
     why = FleetBlock::kStranger;
     by = beacon.id;
     return false;
   }
   why = FleetBlock::kUnheard;
-  by = fleet.spec.id;
-  return is_clear_of_unheard(fleet, next.plan, whole, now);
+  by = 0;
+  return is_clear_of_unheard(fleet, plan, part, now);
+}
+
+}  // namespace
+
+bool is_clear_alone(const FleetMemory& fleet, std::int64_t now, Work& work, FleetBlock& why,
+                    std::uint16_t& by) noexcept {
+  const Trajectory& plan = next_plan(fleet).plan;
+  const Operations each = ops::kCurve + 4 * ops::kDot * (fleet.beacons.count + 1);
+  work.spend(each + ops::kCurve * plan.count);
+  // The whole plan at once is enough for most.
+  Stretch whole{hull_of(plan.segments[0]), duration(plan)};
+  for (std::int32_t s = 1; s < plan.count; ++s) grow(whole.hull, plan.segments[s]);
+  if (is_clear(fleet, whole, now, why, by)) return true;
+  work.spend(each * plan.count);
+  double end = 0.0;
+  for (std::int32_t s = 0; s < plan.count; ++s) {
+    end += plan.segments[s].duration;
+    if (!is_clear(fleet, {hull_of(plan.segments[s]), end}, now, why, by)) return false;
+  }
+  return true;
 }
 
 }  // namespace tern

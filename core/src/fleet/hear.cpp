@@ -44,7 +44,8 @@ void hear_link(const FleetMemory& fleet, const StateHead& state, const Answer& a
 Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   StateHead state{};
   Answer answer{};
-  const bool is_state = read_state(peer.arriving.bytes, peer.arriving.size, fleet.spec.id, state, answer);
+  bool by_range = false;
+  const bool is_state = read_state(peer.arriving.bytes, peer.arriving.size, fleet.spec.id, state, by_range, answer);
   const std::uint32_t crc = peer.arriving.crc;
   const std::int32_t size = peer.arriving.size;
   peer.arriving.clear();
@@ -52,8 +53,7 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   const auto ahead = static_cast<std::uint64_t>(state.stamp) - static_cast<std::uint64_t>(now);
   if (state.stamp > now && ahead > static_cast<std::uint64_t>(fleet.spec.clock_error)) return Heard::kClockAhead;
   if (!is_newer(state, peer.state)) return Heard::kOld;
-  const bool by_range = is_by_range(fleet);
-  if (by_range != (state.until != 0)) return Heard::kStranger;
+  if (by_range != is_by_range(fleet)) return Heard::kStranger;
   if (by_range && !is_lease(fleet, state.until, now)) return Heard::kClockAhead;
   const bool has_begun = state.incarnation != peer.state.incarnation || (by_range && answer.link != peer.link.its);
   if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);

@@ -109,10 +109,9 @@ void answer(FleetMemory& fleet, Consent consent, std::int64_t now) {
 /// By range, first against all that may do anything.
 void announce_openly(FleetMemory& fleet, std::int64_t now, Work& work) {
   if (is_by_range(fleet)) {
-    work.spend(fleet.beacons.count * ops::kPiece);
     FleetBlock why = FleetBlock::kNone;
     std::uint16_t by = 0;
-    if (!is_clear_alone(fleet, now, why, by)) return drop(fleet, why, by, now);
+    if (!is_clear_alone(fleet, now, work, why, by)) return drop(fleet, why, by, now);
   }
   fleet.announcement = Announcement::kOpen;
   end(fleet.job);

@@ -90,6 +90,7 @@ void update_members(FleetMemory& fleet, std::int64_t now) noexcept {
 
 Promises promises_of(const FleetMemory& fleet, std::int64_t now) noexcept {
   Promises promises;
+  if (!is_by_range(fleet)) return promises;
   for (std::int32_t p = 0; p < fleet.peer_count; ++p) {
     if (fleet.peers[p].link.promised < now) continue;
     promises.ids[promises.count] = fleet.peers[p].id;
@@ -103,8 +104,7 @@ void begin_range(FleetMemory& fleet, const Promises& promises, std::int64_t now)
   const Trajectory& flown = fleet.own[fleet.flown].plan;
   fleet.beacons.begun = fleet.beacons.now = now;
   fleet.beacons.place = evaluate(flown, time_on(flown, now)).position;
-  fleet.beacons.beyond.time = now;
-  fleet.beacons.beyond.gap = kNowhere;
+  for (NearestUnkept& beyond : fleet.beacons.beyond) beyond = {kNowhere, now};
   for (std::int32_t k = 0; k < promises.count; ++k) {
     Peer& peer = fleet.peers[fleet.peer_count++];
     forget_peer(peer, promises.ids[k]);

@@ -22,7 +22,8 @@ void update_members(FleetMemory& fleet, std::int64_t now) noexcept;
 
 /// True if the plan that is announced is clear, from its takeover until it rests, of all that any vehicle may do which
 /// did not promise to ask or to tell until then. Else `why` and `by` say of whom it is not.
-bool is_clear_alone(const FleetMemory& fleet, std::int64_t now, FleetBlock& why, std::uint16_t& by) noexcept;
+bool is_clear_alone(const FleetMemory& fleet, std::int64_t now, Work& work, FleetBlock& why,
+                    std::uint16_t& by) noexcept;
 
 /// What was promised to members before begin().
 struct Promises {

@@ -20,8 +20,7 @@ void list_answer(Bytes& bytes, Entry& answer, bool by_range) {
 
 }  // namespace
 
-void write_state(const StateHead& state, std::uint16_t answers, ByteWriter& out) noexcept {
-  const bool by_range = state.until != 0;
+void write_state(const StateHead& state, bool by_range, std::uint16_t answers, ByteWriter& out) noexcept {
   out.put(form_of(by_range ? MessageKind::kRangeState : MessageKind::kState));
   list_state(out, state, by_range);
   out.put(answers);
@@ -31,11 +30,11 @@ void append_answer(const Answer& answer, bool by_range, ByteWriter& out) noexcep
   list_answer(out, answer, by_range);
 }
 
-bool read_state(const std::uint8_t* bytes, std::int32_t size, std::uint16_t to, StateHead& state,
+bool read_state(const std::uint8_t* bytes, std::int32_t size, std::uint16_t to, StateHead& state, bool& by_range,
                 Answer& answer) noexcept {
   if (size < 1 || (bytes[0] != form_of(MessageKind::kState) && bytes[0] != form_of(MessageKind::kRangeState)))
     return false;
-  const bool by_range = bytes[0] == form_of(MessageKind::kRangeState);
+  by_range = bytes[0] == form_of(MessageKind::kRangeState);
   if (size < state_head_bytes(by_range)) return false;
   ByteReader in(bytes, size);
   std::uint16_t answers = 0;
@@ -44,7 +43,6 @@ bool read_state(const std::uint8_t* bytes, std::int32_t size, std::uint16_t to, 
   in.get(answers);
   answer = Answer{};
   if (size != state_bytes(answers, by_range) || state.incarnation == 0 || state.flown == 0) return false;
-  if (by_range != (state.until != 0)) return false;
   for (std::int32_t k = 0; k < answers; ++k) {
     Answer next{};
     list_answer(in, next, by_range);

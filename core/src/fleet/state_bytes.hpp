@@ -42,7 +42,7 @@ struct StateHead {
   std::uint16_t radius;   ///< mm
   std::uint8_t priority;
   bool has_left;
-  std::int64_t until;  ///< ns: of what is promised; 0: members are not by range
+  std::int64_t until;  ///< ns: of what is promised, where members come by range
 };
 
 /// Members by range take more.
@@ -54,11 +54,12 @@ constexpr std::int32_t state_bytes(std::int32_t answers, bool by_range) {
 }
 
 /// Writes the head; append_answer() adds the answers, `answers` of them.
-void write_state(const StateHead& state, std::uint16_t answers, ByteWriter& out) noexcept;
+void write_state(const StateHead& state, bool by_range, std::uint16_t answers, ByteWriter& out) noexcept;
 void append_answer(const Answer& answer, bool by_range, ByteWriter& out) noexcept;
 
-/// False for bytes that are no state. `answer` gets the answer to the member `to`; of incarnation 0 if there is none.
-bool read_state(const std::uint8_t* bytes, std::int32_t size, std::uint16_t to, StateHead& state,
+/// False for bytes that are no state. `by_range`: where members come so. `answer` gets the answer to the member `to`;
+/// of incarnation 0 if there is none.
+bool read_state(const std::uint8_t* bytes, std::int32_t size, std::uint16_t to, StateHead& state, bool& by_range,
                 Answer& answer) noexcept;
 
 }  // namespace tern

@@ -21,7 +21,7 @@ void write_own_state(FleetMemory& fleet) {
   const bool by_range = is_by_range(fleet);
   if (by_range) state.until = fleet.beacons.now + fleet.spec.range.lease;
   ByteWriter out(fleet.state);
-  write_state(state, static_cast<std::uint16_t>(fleet.peer_count), out);
+  write_state(state, by_range, static_cast<std::uint16_t>(fleet.peer_count), out);
   for (std::int32_t p = 0; p < fleet.peer_count; ++p) {
     Peer& peer = fleet.peers[p];
     append_answer(answer_to(peer), by_range, out);
@@ -56,13 +56,14 @@ void next(Cursor& cursor) {
 std::int32_t Fleet::write(std::uint8_t* packet, std::int32_t room) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr || packet == nullptr || room < kLeastPacketBytes) return 0;
+  if (is_by_range(*fleet) && room < kFleetBeaconRoom) return 0;
   Cursor& cursor = fleet->cursor;
   const bool is_alone = is_by_range(*fleet) && fleet->peer_count == 0;
   if (fleet->has_changed && !is_alone) write_own_state(*fleet);
   const std::uint16_t id = fleet->spec.id;
   if (is_by_range(*fleet) && !cursor.has_beacon) {
     cursor.has_beacon = true;
-    if (const std::int32_t size = write_beacon(*fleet, packet, room); size > 0) return size;
+    return write_beacon(*fleet, packet, room);
   }
   if (!is_alone && cursor.state_part < parts_of(fleet->state_size)) {
     return write_packet(fleet->state, fleet->state_size, fleet->state_crc, id, packet, room, cursor.state_part);
