@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tern/from_beyond.hpp"
 #include "tern_onboard/notices.hpp"
 #include "tern_onboard/pose.hpp"
 
@@ -60,6 +61,15 @@ tern::FlightSpec flight_spec_of(const Settings& settings) {
   spec.sensor.pitch_min = spec.sensor.pitch_max = s.view_pitch;
   spec.sensor.raised = s.view_raised;
   return spec;
+}
+
+tern::Status slow_for_beyond(const Settings& settings, tern::FlightSpec& spec) {
+  const ThingSettings& s = settings.things;
+  if (!(s.beyond_speed > 0.0)) return tern::Status::kOk;
+  const double clearance = settings.map.radius + settings.map.tracking_margin;
+  tern::Trajectory room;
+  return tern::limit_speed({s.detector_range, s.detector_delay, s.beyond_speed, s.beyond_size}, spec, clearance,
+                           spec.limits, room);
 }
 
 std::int32_t height_planes(const Settings& settings, tern::Halfspace (&planes)[2]) {

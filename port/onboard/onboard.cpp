@@ -55,6 +55,11 @@ Onboard::Onboard(const Settings& settings)
       wish_(settings.fly) {
   const std::string fault = settings_fault(settings);
   if (!fault.empty()) throw std::invalid_argument(fault);
+  if (slow_for_beyond(settings, spec_) != tern::Status::kOk) {
+    throw std::invalid_argument(
+        "parameter detector_range is refused: the vehicle could not stop in it for a thing of beyond_speed, however "
+        "slowly it flies. Raise it, or lower beyond_speed, beyond_size or detector_delay");
+  }
   if (tern::self_test(tern::kConfigurationHash, nullptr) != tern::Status::kOk) {
     throw std::invalid_argument("Tern's self-test failed: compile it without -ffast-math and with one configuration");
   }

@@ -74,6 +74,10 @@ const std::vector<Parameter<Settings>> kParameters = {
   TERN_NUMBER("thing_sigmas", "", 1.0, 10.0, things.sigmas, "errors of things that move: so many standard deviations"),
   TERN_NUMBER("thing_memory", "s", 0.0, 3600.0, things.memory, "a thing that nobody reports for so long is gone: you vouch for it; 0: never"),
   TERN_NUMBER("thing_range", "m", 0.0, 100000.0, things.range, "things further away are left out; 0: all are"),
+  TERN_NUMBER("beyond_speed", "m/s", 0.0, 1000.0, things.beyond_speed, "fly no faster than lets the vehicle stop for things this fast from beyond detector_range; 0: as fast as ever"),
+  TERN_NUMBER("beyond_size", "m", 0.0, 1000.0, things.beyond_size, "of these things: from the centre to the farthest point, and the error of the measured place"),
+  TERN_NUMBER("detector_range", "m", 0.1, 100000.0, things.detector_range, "within it, each such thing is reported"),
+  TERN_NUMBER("detector_delay", "s", 0.0, 60.0, things.detector_delay, "from one report to the next, and until the flight has it"),
 };
 
 const std::vector<Parameter<SensorSettings>> kSensorParameters = {

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "host/flight/flight_specs.hpp"
 #include "host/flight/vectors.hpp"
 #include "host/things/detector.hpp"
 #include "host/things/thing_record.hpp"
@@ -190,6 +192,20 @@ TEST(ThingDetector, TellsWhatIsClaimed) {
   EXPECT_EQ(told.detector->known(0)->error_growth, 1.5);
   EXPECT_EQ(told.detector->known(1)->reach, 1.0);
   EXPECT_EQ(told.detector->known(1)->error_growth, 2.0);
+}
+
+/// The speed of flights that must stop for what comes from beyond the detector's range.
+TEST(ThingDetector, SpeedIsLimitedByTheRange) {
+  const auto speed = [](const std::vector<std::string>& settings) {
+    return flight_spec_of(tern_host::flight_settings(settings)).limits.v_max.x;
+  };
+  const double fast = speed({});
+  EXPECT_EQ(speed({"from_beyond=3,0.5", "detection_range=200"}), fast);
+  const double slow = speed({"from_beyond=3,0.5", "detection_range=4"});
+  EXPECT_LT(slow, fast);
+  EXPECT_LT(speed({"from_beyond=3,0.5", "detection_range=4", "detection_latency=0.5"}), slow);
+  EXPECT_LT(speed({"from_beyond=3,0.5", "detection_range=4", "detection_error=0.5,0.1"}), slow);
+  EXPECT_THROW(speed({"from_beyond=3,0.5", "detection_range=1"}), std::runtime_error);
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "host/flight/flight_replay.hpp"
 #include "onboard/onboard_sky.hpp"
+#include "tern_onboard/map_spec.hpp"
+#include "tern_onboard/onboard.hpp"
 
 namespace {
 
@@ -198,6 +201,25 @@ TEST(OnboardThings, SurviveAClockThatIsSetBackAndAJump) {
   EXPECT_EQ(status.things, 1u);
   EXPECT_EQ(status.faults[static_cast<std::size_t>(Fault::kThingBackward)], 0u);
   EXPECT_EQ(status.faults[static_cast<std::size_t>(Fault::kThingInvalid)], 0u);
+}
+
+/// The nearer a detector sees, the slower the vehicle flies; where no speed is slow enough, it does not.
+TEST(OnboardThings, SpeedIsLimitedByTheDetectorsRange) {
+  tern_onboard::Settings settings;
+  const double fast = flight_spec_of(settings).limits.v_max.x;
+  const auto slowed = [&](double range) {
+    settings.things.detector_range = range;
+    tern::FlightSpec spec = flight_spec_of(settings);
+    const tern::Status status = slow_for_beyond(settings, spec);
+    return status == tern::Status::kOk ? spec.limits.v_max.x : -1.0;
+  };
+  EXPECT_EQ(slowed(0.5), fast);
+  settings.things.beyond_speed = 3.0;
+  EXPECT_EQ(slowed(200.0), fast);
+  EXPECT_LT(slowed(8.0), fast);
+  EXPECT_LT(slowed(6.0), slowed(8.0));
+  EXPECT_EQ(slowed(0.5), -1.0);
+  EXPECT_THROW(tern_onboard::Onboard{settings}, std::invalid_argument);
 }
 
 }  // namespace

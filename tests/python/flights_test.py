@@ -113,6 +113,21 @@ class Flights(unittest.TestCase):
         with self.assertRaises(ValueError):
             tern.Track.of_class("boat", (0, 0, 0))
 
+    def test_speed_is_limited_by_what_may_come_from_beyond(self):
+        fast = tern.Limits((6, 6, 6), (8, 8, 8))
+        person = {"clearance": 0.35, "speed": 3.0, "size": 0.45, "delay": 0.15}
+        slow = tern.limit_speed(fast, range=4.0, **person)
+        self.assertAlmostEqual(slow.v_max[0] * 3**0.5, 2.66, delta=0.005)  # the table of docs/flight.md
+        self.assertEqual(slow.v_max[0], slow.v_max[2])
+        self.assertEqual(slow.a_max, fast.a_max)
+        self.assertEqual(tern.limit_speed(fast, range=99.0, **person), fast)
+        late = tern.limit_speed(fast, range=4.0, tick=50_000_000, **person)
+        self.assertLess(late.v_max[0], slow.v_max[0])
+        for beyond, status in ((0.5, "limits_invalid"), (0.0, "invalid_argument"), (float("nan"), "non_finite_input")):
+            with self.assertRaises(tern.TernError) as raised:
+                tern.limit_speed(fast, range=beyond, **person)
+            self.assertEqual(raised.exception.status, status)
+
     def test_a_fence_in_the_way_is_named(self):
         rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)
         rolling_map.assume_free((0, 0, 1.5), 6.0)

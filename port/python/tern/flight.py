@@ -156,6 +156,33 @@ class Tick:
     speed_share: float
 
 
+def _flight_spec(limits, settings):
+    spec = ffi.new("tern_flight_spec*")
+    lib.tern_flight_spec_init(spec, ffi.new("tern_limits*", limits.fields()))
+    for name, value in settings.items():
+        setattr(spec, name, value)
+    return spec
+
+
+def limit_speed(limits: Limits, clearance: float, range: float, speed: float, size: float, delay: float = 0.0,
+                **settings: float) -> Limits:
+    """Limits for flights where things that move may come from beyond the range of their detector: all limits of speed
+    are multiplied by the same number, 1 at most, so that a vehicle which first hears of such a thing is at rest before
+    the thing can touch it (docs/flight.md).
+
+    clearance: radius and tracking_margin of the map, metres, >= 0. range: within this distance of the vehicle a thing's
+    centre is measured at the next scan, metres, > 0. speed: the thing's largest, m/s, >= 0. size: from its centre to
+    its farthest point, and the error of its measured place, metres, >= 0. delay: from one scan to the next, and from a
+    scan to Flight.update_track, seconds, >= 0. settings: those of the Flight. Raises TernError: non_finite_input,
+    invalid_argument for a value out of range or a limit rate_max, limits_invalid if the range is too short.
+    """
+    struct = ffi.new("tern_limits*", limits.fields())
+    room = ffi.new("tern_trajectory*")
+    require(lib.tern_limit_speed(range, delay, speed, size, _flight_spec(limits, settings), clearance, struct, room),
+            "from beyond")
+    return Limits._of(struct)
+
+
 class Flight:
     """Flies to a goal and commits only to what is proven: tern::Flight. Times are nanoseconds of a clock of yours.
 
@@ -166,10 +193,7 @@ class Flight:
     def __init__(self, limits: Limits, rolling_map: RollingMap, planner: Planner, position: Sequence[float], t: int,
                  fences: Sequence[Fence] = (), **settings: float) -> None:
         self._kept = [rolling_map, planner]
-        spec = ffi.new("tern_flight_spec*")
-        lib.tern_flight_spec_init(spec, ffi.new("tern_limits*", limits.fields()))
-        for name, value in settings.items():
-            setattr(spec, name, value)
+        spec = _flight_spec(limits, settings)
         spec.fences, spec.fence_count = c_fences(fences, self._kept), len(fences)
         self.tick_ns = spec.tick
         self.struct = ffi.new("tern_flight*")

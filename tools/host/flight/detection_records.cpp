@@ -11,6 +11,12 @@ void set_detection_error(FlightSettings& s, const Words& words, const Place& pla
   s.detection_speed_error = within(words[0], values[1], {0.0, 10.0}, place);
 }
 
+void set_from_beyond(FlightSettings& s, const Words& words, const Place& place) {
+  const std::vector<double> values = two_numbers(words, place);
+  s.beyond_speed = within(words[0], values[0], {0.0, 1000.0}, place);
+  s.beyond_size = within(words[0], values[1], {0.0, 1000.0}, place);
+}
+
 }  // namespace
 
 void add_detection_setters(Setters& setters) {
@@ -24,6 +30,7 @@ void add_detection_setters(Setters& setters) {
   setters["detection_misses"] = real(&S::detection_misses, 0.0, 1.0);
   setters["detection_swaps"] = real(&S::detection_swaps, 0.0, 1.0);
   setters["detection_occlusion"] = whole(&S::detection_occlusion, 0.0, 1.0);
+  setters["from_beyond"] = set_from_beyond;
   setters["thing_bounds"] = real(&S::thing_bounds, 0.0, 100.0);
 }
 

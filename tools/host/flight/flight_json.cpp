@@ -88,6 +88,7 @@ Json settings_json(const FlightSettings& s) {
           {"detection_misses", s.detection_misses},
           {"detection_swaps", s.detection_swaps},
           {"detection_occlusion", s.detection_occlusion},
+          {"from_beyond", {s.beyond_speed, s.beyond_size}},
           {"thing_bounds", s.thing_bounds},
           {"frames_until", s.frames_until},
           {"pose_jump", {s.pose_jump.size, s.pose_jump.every}},

@@ -11,6 +11,7 @@
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/lidar.hpp"
 #include "host/number.hpp"
+#include "tern/from_beyond.hpp"
 
 namespace tern_host {
 namespace {
@@ -20,6 +21,22 @@ constexpr double kScanPixels = 6.0 * 2.5 * 2.5 + 0.1;  ///< of a map with a scan
 
 int voxels(double metres, double cell) {
   return std::min(tern::kMaxDimension, static_cast<int>(std::ceil(metres / cell)));
+}
+
+/// Flies no faster than lets the vehicle stop for what comes from beyond the detector's range.
+void slow_for_beyond(const FlightSettings& s, tern::FlightSpec& spec) {
+  if (!(s.beyond_speed > 0.0)) return;
+  const double delay = 1.0 / s.detection_hz + s.detection_latency;
+  const double error = s.detection_error + s.pose_margin;
+  const double clearance = s.body_radius + s.pose_margin + s.tracking_margin;
+  tern::Trajectory room;
+  const tern::Status status = tern::limit_speed({s.detection_range, delay, s.beyond_speed, s.beyond_size + error}, spec,
+                                                clearance, spec.limits, room);
+  if (status == tern::Status::kOk) return;
+  throw std::runtime_error("from_beyond " + brief(s.beyond_speed) + " " + brief(s.beyond_size) +
+                           (status == tern::Status::kLimitsInvalid
+                                ? ": a detection_range of " + brief(s.detection_range) + " m is too short to stop in"
+                                : ": the vehicle's limits have a rate_max, for which nothing is known"));
 }
 
 }  // namespace
@@ -69,6 +86,7 @@ tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   spec.horizon = kHorizon * s.sensor_range;
   spec.yaw_rate = s.yaw_rate;
   spec.sensor = flight_sensor_of(s);
+  slow_for_beyond(s, spec);
   return spec;
 }
 

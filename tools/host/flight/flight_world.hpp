@@ -126,6 +126,8 @@ struct FlightSettings {
   double detection_misses = 0.0;       ///< part of the measurements that are lost
   double detection_swaps = 0.0;        ///< part of the measurements in which two things change names
   int detection_occlusion = 0;         ///< 1: what is behind an obstacle is not seen
+  double beyond_speed = 0.0;           ///< of what may come from beyond the detector's range, m/s; 0: nothing does
+  double beyond_size = 0.0;            ///< from its centre to its farthest point, m
   double thing_bounds = 1.0;           ///< what the flight is told of a thing's bounds, as a part of what is true
 
   // Faults.

@@ -21,6 +21,8 @@ constexpr double kNoCeiling = 1000.0;
 
 tern::MapSpec map_spec_of(const MapSettings& settings);
 tern::FlightSpec flight_spec_of(const Settings& settings);
+/// Lowers the limits of speed for what may come from beyond the detector's range. kOk, or why no speed is slow enough.
+tern::Status slow_for_beyond(const Settings& settings, tern::FlightSpec& spec);
 /// The half-spaces below the ceiling and above the ground, in which the body's centre stays; returns how many.
 std::int32_t height_planes(const Settings& settings, tern::Halfspace (&planes)[2]);
 /// What is wrong with a mission, in words; empty if nothing is.

@@ -74,6 +74,10 @@ struct ThingSettings {
   double sigmas = 4.0;
   double memory = 10.0;
   double range = 1000.0;
+  double beyond_speed = 0.0;
+  double beyond_size = 1.0;
+  double detector_range = 20.0;
+  double detector_delay = 0.2;
 };
 
 struct Settings {
