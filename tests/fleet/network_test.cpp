@@ -156,7 +156,24 @@ TEST(FleetNetwork, ByRangeWithRestarts) {
   spec.link.loss = 0.2;
   spec.link.delay = 20;
   spec.clock_error = kSecond / 50;
-  expect_apart("by range, restarts", spec, 0);
+  expect_apart("by range, restarts", spec, 1);
+}
+
+TEST(FleetNetwork, ByRangeWithLittleWork) {
+  SwarmSpec spec;
+  spec.by_range = true;
+  spec.work = 10;
+  spec.link.loss = 0.1;
+  expect_apart("by range, 10 units a tick", spec, 1);
+}
+
+TEST(FleetNetwork, ByRangeTheFirstOneLeaves) {
+  SwarmSpec spec;
+  spec.by_range = true;
+  spec.first_leaves = true;
+  spec.link.loss = 0.3;
+  spec.link.delay = 10;
+  expect_apart("by range, the first one leaves", spec, 1);
 }
 
 }  // namespace

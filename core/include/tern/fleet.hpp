@@ -68,7 +68,8 @@ enum class Announcement : uint8_t {
   kDropped,   ///< not taken over and never will be. FleetReport::blocked says why
 };
 
-/// Why a plan was dropped. FleetReport::blocked_by says because of whom. The numbers are part of the ABI.
+/// Why a plan was dropped. FleetReport::blocked_by says because of whom; 0: of no single vehicle. The numbers are part
+/// of the ABI.
 enum class FleetBlock : uint8_t {
   kNone = 0,    ///< it was not
   kSilent,      ///< this member was not heard since begin(), or has not heard of it
@@ -77,8 +78,8 @@ enum class FleetBlock : uint8_t {
   kUnanswered,  ///< the answer of this member, which has the right of way, did not come before the takeover
   kRestarted,   ///< this member was begun or added, or left, in the meantime
   kLate,        ///< advance() was called too late, or had too little work, for the takeover
-  kStranger,    ///< the plan is not clear of all that this vehicle may do until it ends: it is no member yet, by range
-  kUnheard,     ///< the same of vehicles too far away to be heard: the plan leads too far, or begin() was just now
+  kStranger,    ///< by range: not clear of all that this vehicle may do, no promise of which holds until the plan ends
+  kUnheard,     ///< by range: nor of vehicles too far away to be heard. It leads too far, or begin() was just now
 };
 
 struct FleetReport {
@@ -93,7 +94,7 @@ struct FleetReport {
 enum class Heard : uint8_t {
   kNews = 0,      ///< something new, perhaps only a part of a message
   kOld,           ///< nothing new
-  kStranger,      ///< from a vehicle that is not a member: Fleet::add() makes it one
+  kStranger,      ///< from a vehicle that is not a member, or whose members come the other way: by list or by range
   kSelf,          ///< from this vehicle itself, or from another one with its id
   kDamaged,       ///< no packet of a fleet
   kOtherVersion,  ///< from another version of the format
@@ -156,7 +157,8 @@ class Fleet {
   /// long as its beacons come: go on with write(), or make the place an obstacle for all others.
   void leave(int64_t now) noexcept;
 
-  /// Takes a packet: `size` bytes. Work is bounded by some twenty instructions a byte of a message.
+  /// Takes a packet: `size` bytes. Work is bounded by some twenty instructions a byte of a message; for a beacon, also
+  /// by a turn through the kMaxBeacons that are remembered.
   Heard receive(const uint8_t* packet, int32_t size, int64_t now) noexcept;
   /// Writes the next packet to send, to all members, of at most `room` bytes. Its size, or 0 at the end of a round, and
   /// if `room` is below kFleetPacketBytes, or kFleetBeaconRoom by range. A round has what the vehicle says of itself,

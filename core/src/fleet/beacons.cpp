@@ -5,13 +5,6 @@
 namespace tern {
 namespace {
 
-constexpr double kFarthestPlace = 1e9;
-
-bool is_place(const Vec3& place) {
-  return absolute(place.x) <= kFarthestPlace && absolute(place.y) <= kFarthestPlace &&
-         absolute(place.z) <= kFarthestPlace;
-}
-
 std::int32_t place_in(const Beacons& beacons, std::uint16_t id) {
   std::int32_t low = 0;
   std::int32_t high = beacons.count;
@@ -128,7 +121,7 @@ Heard hear_beacon(FleetMemory& fleet, const PacketHead& head, const std::uint8_t
   in.skip(1);
   in(beacon.id, beacon.stamp, beacon.place.x, beacon.place.y, beacon.place.z, beacon.radius);
   if (beacon.id != head.id || !is_place(beacon.place)) return Heard::kDamaged;
-  if (beacon.stamp < kEarliest || beacon.stamp > now + fleet.spec.clock_error) return Heard::kClockAhead;
+  if (beacon.stamp < -kLatest || beacon.stamp > now + fleet.spec.clock_error) return Heard::kClockAhead;
   Beacons& beacons = fleet.beacons;
   if (Beacon* const known = find_beacon(beacons, beacon.id); known != nullptr) {
     if (beacon.stamp <= known->stamp) return Heard::kOld;

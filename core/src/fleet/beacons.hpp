@@ -25,8 +25,6 @@ struct Beacon {
 };
 /// More than any distance, m.
 constexpr double kNowhere = 1e300;
-/// No vehicle's clock shows less, ns: so no difference of two times overflows.
-constexpr std::int64_t kEarliest = -(std::int64_t{1} << 61);
 constexpr std::int32_t kBeaconBytes = 37;
 static_assert(kPacketHeadBytes + in_whole_parts(kBeaconBytes) == kFleetBeaconRoom, "tern/fleet.hpp says so");
 

@@ -34,12 +34,6 @@ void set(OwnPlan& own, const Trajectory& plan, const PlanName& name) {
   own.crc = crc32(own.bytes, own.size);
 }
 
-std::int32_t find(const FleetMemory& fleet, std::uint16_t id) {
-  std::int32_t p = 0;
-  while (p < fleet.peer_count && fleet.peers[p].id != id) ++p;
-  return p;
-}
-
 /// True if the vehicle was a member and was removed, or if more were removed than are remembered.
 bool was_removed(const FleetMemory& fleet, std::uint16_t id) {
   bool was = fleet.removed_count > kMaxNeighbours;
@@ -85,7 +79,7 @@ Status Fleet::begin(const FleetSpec& spec, const Trajectory& flown, std::int64_t
 Status Fleet::add(std::uint16_t id, std::int64_t now) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr || id == fleet->spec.id || is_by_range(*fleet)) return Status::kInvalidArgument;
-  if (find(*fleet, id) < fleet->peer_count) return Status::kOk;
+  if (find_peer(*fleet, id) < fleet->peer_count) return Status::kOk;
   if (was_removed(*fleet, id)) return Status::kInvalidArgument;
   if (is_full(fleet->peer_count == kMaxNeighbours)) return Status::kNeighboursFull;
   forget_peer(fleet->peers[fleet->peer_count++], id);
@@ -96,7 +90,7 @@ Status Fleet::add(std::uint16_t id, std::int64_t now) noexcept {
 Status Fleet::remove(std::uint16_t id, std::int64_t now) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr || is_by_range(*fleet)) return Status::kInvalidArgument;
-  const std::int32_t p = find(*fleet, id);
+  const std::int32_t p = find_peer(*fleet, id);
   if (p == fleet->peer_count) return Status::kInvalidArgument;
   if (fleet->removed_count < kMaxNeighbours) fleet->removed[fleet->removed_count] = id;
   ++fleet->removed_count;

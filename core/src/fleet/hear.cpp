@@ -29,7 +29,7 @@ void meet_again(FleetMemory& fleet, Peer& peer, bool has_begun, std::int64_t now
 
 /// A promise that a member with the same lease can have made by now.
 bool is_lease(const FleetMemory& fleet, std::int64_t until, std::int64_t now) {
-  return until >= kEarliest && until <= now + fleet.spec.clock_error + fleet.spec.range.lease;
+  return until >= -kLatest && until <= now + fleet.spec.clock_error + fleet.spec.range.lease;
 }
 
 /// What the newest state says of the two records of each other.
@@ -97,8 +97,7 @@ Heard Fleet::receive(const std::uint8_t* packet, std::int32_t size, std::int64_t
   if (head.form == form_of(MessageKind::kBeacon)) {
     return is_by_range(*fleet) ? hear_beacon(*fleet, head, packet, size, now) : Heard::kOld;
   }
-  std::int32_t p = 0;
-  while (p < fleet->peer_count && fleet->peers[p].id != head.id) ++p;
+  const std::int32_t p = find_peer(*fleet, head.id);
   if (p == fleet->peer_count) return Heard::kStranger;
 
   Peer& peer = fleet->peers[p];

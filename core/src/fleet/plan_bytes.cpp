@@ -14,11 +14,10 @@ constexpr int kCoarsest = 2;
 constexpr double kMostUnits = 32767.0;
 /// Half a cube's diagonal in its edges, and 10 nm of the finest unit for joints whose two points are not the same.
 constexpr double kErrorUnits = kHalfDiagonal + 1.7e-4;
-/// m, s and ns: beyond these, sums could lose what they need.
+/// m and s: beyond these, sums could lose what they need.
 constexpr double kFarthest = 1e9;
 constexpr double kShortest = 1e-6;
 constexpr double kLongest = 1e6;
-constexpr std::int64_t kLatest = std::int64_t{1} << 61;
 /// m: the last control points of a plan that ends at rest are this near to each other.
 constexpr double kRestTolerance = 1e-6;
 
@@ -50,10 +49,6 @@ Head read_head(ByteReader& in) {
   return head;
 }
 
-bool is_near(const Vec3& point) {
-  return absolute(point.x) <= kFarthest && absolute(point.y) <= kFarthest && absolute(point.z) <= kFarthest;
-}
-
 bool has_times(std::int64_t begin, std::int64_t takeover) {
   return begin >= -kLatest && begin <= takeover && takeover <= kLatest;
 }
@@ -69,12 +64,12 @@ bool ends_at_rest(const Segment& last) {
 
 /// True for a plan that can be written; `reach` gets its largest coordinate.
 bool measure(const Trajectory& plan, double& reach) {
-  if (plan.count < 1 || plan.count > kMaxSegments || !is_near(plan.origin)) return false;
+  if (plan.count < 1 || plan.count > kMaxSegments || !is_place(plan.origin)) return false;
   reach = 0.0;
   for (int s = 0; s < plan.count; ++s) {
     if (!is_duration(plan.segments[s].duration)) return false;
     for (const Vec3& point : plan.segments[s].points) {
-      if (!is_near(point)) return false;
+      if (!is_place(point)) return false;
       for (int a = 0; a < 3; ++a) reach = larger(reach, absolute(axis(point, a)));
     }
   }
@@ -126,6 +121,10 @@ double largest_speed(const TrackPiece& piece) {
 
 }  // namespace
 
+bool is_place(const Vec3& place) noexcept {
+  return absolute(place.x) <= kFarthest && absolute(place.y) <= kFarthest && absolute(place.z) <= kFarthest;
+}
+
 bool is_sendable(const Trajectory& plan, std::int64_t takeover) noexcept {
   return has_times(plan.begin, takeover) && exponent_for(plan) <= kCoarsest;
 }
@@ -148,7 +147,7 @@ bool is_plan(const std::uint8_t* bytes, std::int32_t size) noexcept {
   ByteReader in(bytes, size);
   const Head head = read_head(in);
   if (head.count < 1 || head.count > kMaxSegments || size != plan_bytes(head.count)) return false;
-  bool sound = is_near(head.origin) && has_times(head.begin, head.name.takeover) && head.name.number > 0 &&
+  bool sound = is_place(head.origin) && has_times(head.begin, head.name.takeover) && head.name.number > 0 &&
                head.exponent >= kFinest && head.exponent <= kCoarsest;
   for (int s = 0; s < head.count; ++s) {
     double duration = 0.0;

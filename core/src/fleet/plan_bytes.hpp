@@ -37,6 +37,11 @@ struct PlanName {
   std::int64_t takeover;
 };
 
+/// ns: no time that is sent is later, or earlier than its negative, so that no difference of two overflows.
+constexpr std::int64_t kLatest = std::int64_t{1} << 61;
+/// False for a place with coordinates that are not finite or too large.
+bool is_place(const Vec3& place) noexcept;
+
 /// False for a plan that cannot be flown in a fleet: without segments, with numbers that are not finite or too large,
 /// a beginning after the takeover, or an end in motion.
 bool is_sendable(const Trajectory& plan, std::int64_t takeover) noexcept;
