@@ -18,6 +18,7 @@
 #include "host/swarm/swarm_json.hpp"
 #include "host/swarm/swarm_processes.hpp"
 #include "host/swarm/swarm_run.hpp"
+#include "tern/fleet.hpp"
 
 namespace tern_cli {
 namespace {
@@ -97,6 +98,23 @@ void check_options(const SwarmOptions& options) {
   }
 }
 
+/// Members by range rely on beacons: of everyone near, one that is a second old at most.
+void check_range(const SwarmOptions& options) {
+  const tern_host::SwarmSettings& s = options.settings;
+  if (s.range <= 0.0) return;
+  const tern_host::LinkSettings& links = s.links;
+  if (links.deaf >= 0 || links.silent >= 0 || !options.partition.empty() || links.loss >= 1.0) {
+    throw std::runtime_error(
+        "--range takes no vehicles that are never heard: no --deaf, --silent, --partition, --loss 1");
+  }
+  if (links.delay_max + 1.0 / s.send_hz > 1.0) {
+    throw std::runtime_error("--range needs beacons that are a second old at most: --delay and 1 / --send-hz are more");
+  }
+  if (s.packet_bytes < tern::kFleetBeaconRoom) {
+    throw std::runtime_error("--range needs a --packet of at least " + std::to_string(tern::kFleetBeaconRoom));
+  }
+}
+
 void check_vehicles(const tern_host::LinkSettings& links, std::size_t count) {
   for (const int vehicle : {links.deaf, links.silent}) {
     if (vehicle >= -1 && vehicle < static_cast<int>(count)) continue;
@@ -106,6 +124,7 @@ void check_vehicles(const tern_host::LinkSettings& links, std::size_t count) {
 
 int fly(SwarmOptions& options) {
   check_options(options);
+  check_range(options);
   check_output_paths({}, {options.json, options.record, options.html});
   if (!options.record.empty() && options.runs > 1) throw std::runtime_error("--record takes one run");
   if (!options.html.empty()) tern_host::check_page(static_cast<std::size_t>(options.runs));
