@@ -10,10 +10,25 @@
 #include <memory>
 #include <vector>
 
+#include "fleet/beacons.hpp"
 #include "fleet/plans.hpp"
 #include "tern/fleet.hpp"
 
 namespace tern_test {
+
+/// What a vehicle of half a metre says of itself.
+inline std::vector<std::uint8_t> beacon_of(std::uint16_t id, const tern::Vec3& place, std::int64_t now) {
+  std::uint8_t bytes[tern::kBeaconBytes];
+  tern::ByteWriter out(bytes);
+  out.put(tern::form_of(tern::MessageKind::kBeacon));
+  out(id, now, place.x, place.y, place.z, std::uint16_t{500});
+  std::vector<std::uint8_t> packet(tern::kFleetBeaconRoom);
+  std::int32_t first = 0;
+  const std::int32_t size = tern::write_packet(bytes, tern::kBeaconBytes, tern::crc32(bytes, tern::kBeaconBytes), id,
+                                               packet.data(), tern::kFleetBeaconRoom, first);
+  packet.resize(static_cast<std::size_t>(size));
+  return packet;
+}
 
 /// Vehicles 1 and 2 at rest, which hear each other as often as the test says.
 class FleetRangePair : public testing::Test {

@@ -33,20 +33,6 @@ void forge_until(std::vector<std::uint8_t>& packet, std::int64_t until) {
   sign(packet);
 }
 
-/// What a vehicle of half a metre says of itself.
-std::vector<std::uint8_t> beacon_of(std::uint16_t id, const tern::Vec3& place, std::int64_t now) {
-  std::uint8_t bytes[tern::kBeaconBytes];
-  tern::ByteWriter out(bytes);
-  out.put(tern::form_of(tern::MessageKind::kBeacon));
-  out(id, now, place.x, place.y, place.z, std::uint16_t{500});
-  std::vector<std::uint8_t> packet(tern::kFleetBeaconRoom);
-  std::int32_t first = 0;
-  const std::int32_t size = tern::write_packet(bytes, tern::kBeaconBytes, tern::crc32(bytes, tern::kBeaconBytes), id,
-                                               packet.data(), tern::kFleetBeaconRoom, first);
-  packet.resize(static_cast<std::size_t>(size));
-  return packet;
-}
-
 TEST_F(FleetRangePair, NobodyAsksWhoIsFarAway) {
   begin(100.0);
   go_on(2.0);
@@ -149,6 +135,13 @@ TEST_F(FleetRangePair, AVehicleWhoseClockIsBehindIsInTheWayAsLong) {
   hear(0, beacon);
   now_ += 9 * kSecond / 10;  // it is 0.9 s old
   advance(0);
+  announce(0);
+  expect_dropped(0, FleetBlock::kStranger, 2);
+}
+
+TEST_F(FleetRangePair, ALateTakeoverIsAllowedFor) {
+  begin(26.5);  // 5 s of 5 m/s and both bodies do not reach that far; 0.2 s more do
+  go_on(2.0);
   announce(0);
   expect_dropped(0, FleetBlock::kStranger, 2);
 }

@@ -90,7 +90,8 @@ double gap_to_unkept(const FleetMemory& fleet, std::int64_t now) noexcept {
 }
 
 double strayed(const FleetMemory& fleet, double since) noexcept {
-  return fleet.spec.range.speed * (larger(since, 0.0) + seconds(fleet.spec.clock_error));
+  // A plan that is taken over late by a tick begins that far along, and the one before it went on as long.
+  return fleet.spec.range.speed * (larger(since, 0.0) + seconds(fleet.spec.clock_error + 2 * fleet.spec.tick));
 }
 
 std::uint16_t whole_millimetres(double metres) noexcept {

@@ -53,9 +53,9 @@ bool is_clear_of_unheard(const FleetMemory& fleet, const Trajectory& plan, const
   const FleetRange& range = fleet.spec.range;
   const Beacons& beacons = fleet.beacons;
   if (now - beacons.begun <= range.within) return false;
-  // Both may have moved since they were that far apart.
-  const double gap = smaller(range.heard, gap_to_unkept(fleet, now)) - 2.0 * range.speed * seconds(range.within) -
-                     fleet.spec.radius - kRounding;
+  // Both may have moved since they were that far apart, and this vehicle may have taken a plan over late.
+  const double moved = 2.0 * range.speed * seconds(range.within + fleet.spec.tick);
+  const double gap = smaller(range.heard, gap_to_unkept(fleet, now)) - moved - fleet.spec.radius - kRounding;
   return reach_from(part.hull, beacons.place - plan.origin) + strayed(fleet, part.end - time_on(plan, now)) <= gap;
 }
 

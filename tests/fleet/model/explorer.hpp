@@ -197,7 +197,7 @@ class Vehicles {
     spec.priority = setting_.priorities[static_cast<std::size_t>(v)];
     spec.radius = 0.5;
     spec.clock_error = setting_.skew * kTick;
-    spec.tick = kTick / 2;
+    spec.tick = 1;  // takeovers are on time, as all happens at whole ticks
     spec.range = setting_.range;
     return spec;
   }
