@@ -17,21 +17,28 @@ Trajectory committed_plan(const Flying& room) {
   return plan;
 }
 
-TEST(Remainder, IsFlownOnWhereNothingIsBetter) {
+double arrival(const Trajectory& plan) {
+  return 1e-9 * static_cast<double>(plan.begin) + duration(plan);
+}
+
+TEST(Remainder, GivesWayOnlyToPlansThatArriveEarlier) {
   Flying room;
-  const Trajectory first = committed_plan(room);
+  double last = arrival(committed_plan(room));
   const std::uint32_t asked = room.report.asked;
-  const std::uint32_t failed = room.report.failed;
-  bool is_rival = false;
-  ASSERT_TRUE(room.tick_until([&] {
-    is_rival = is_rival || room.state().cycle.must_beat;
+  int plans = 0;
+  int rivals = 0;
+  const bool arrives = room.tick_until([&] {
+    ++plans;
+    rivals += room.state().cycle.must_beat ? 1 : 0;
     EXPECT_EQ(room.report.plan, Status::kOk);
-    return room.position().x > 3.5;  // shorter ways have a style of their own
-  }));
-  EXPECT_TRUE(is_rival);
+    const double now = arrival(committed_plan(room));
+    EXPECT_LE(now, last + 1e-9);
+    last = now;
+    return room.report.reason == FlightReason::kArrived;
+  });
+  ASSERT_TRUE(arrives);
+  EXPECT_GT(rivals, plans / 2);
   EXPECT_GT(room.report.asked, asked + 3);
-  EXPECT_EQ(room.report.failed, failed);
-  EXPECT_EQ(committed_plan(room).begin, first.begin);
 }
 
 TEST(Remainder, GivesWayToAPlanElsewhere) {
