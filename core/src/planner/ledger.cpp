@@ -112,7 +112,7 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, s
   }
   if (stage == Stage::kCheck) entry.bound += tracks_bound(problem.track_count).units(times_of(problem).checks);
   if (stage == Stage::kTracks) {
-    const std::uint64_t legs = static_cast<std::uint64_t>(problem.via_count + 1);
+    const auto legs = static_cast<std::uint64_t>(problem.via_count) + 1;
     entry.bound += timed_bound(problem.thing_count, problem.grid->spec()).units(legs * times_of(problem).checks);
   }
   if (problem.has_windows && stage == Stage::kCheck) entry.bound += windows_bound().units(times_of(problem).checks);
