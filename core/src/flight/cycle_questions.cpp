@@ -22,8 +22,8 @@ constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 /// again.
 constexpr std::uint32_t kShorterPlans = 4;
 
-/// At this part of its speed, a vehicle asks only for plans that beat the one in flight. A slower one may find plans that
-/// are far better than that, and the search for them begins with long durations.
+/// At this part of its speed, a vehicle asks only for plans that beat the one in flight. A slower one may find plans
+/// that are far better than that, and the search for them begins with long durations.
 constexpr double kCruise = 0.3;
 
 /// For so long, the end of a plan must stay clear of what things that move are expected to do, seconds.
@@ -102,7 +102,8 @@ Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work&
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = in_flight.time_at(takeover);
   const bool has_pace = from >= 0.0 && from < in_flight.branch && !flight.stray.is_too_fast;
-  must_beat = has_pace && remainder_is_free && same(aim.place, in_flight.place) && !leaves_fence && cruises(aim, request);
+  must_beat =
+      has_pace && remainder_is_free && same(aim.place, in_flight.place) && !leaves_fence && cruises(aim, request);
   if (has_pace) {
     planner->begin(route.grid(), request, in_flight.planned, from, must_beat);
   } else {
