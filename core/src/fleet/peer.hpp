@@ -19,8 +19,9 @@ constexpr std::int32_t kMaxStateBytes = in_whole_parts(state_bytes(kMaxNeighbour
 constexpr int kPeerPlans = 4;
 constexpr std::int8_t kNoPlan = -1;
 
-/// What binds this vehicle to a member, and the other way round. A member of add() is bound for ever. One by range is
-/// bound as long as it was promised: until then, each plan of this vehicle follows the rules of the right of way.
+/// What this vehicle and a member owe each other. While `binds`, each plan of this vehicle follows the rules of the
+/// right of way towards the member: for ever if add() made it one, else while both are near and until this vehicle's
+/// promise ends.
 struct Link {
   std::uint32_t own;      ///< number of this vehicle's record of the member; 0: by add()
   std::uint32_t its;      ///< number of its record of this vehicle; 0: it has none

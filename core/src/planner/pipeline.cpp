@@ -33,15 +33,7 @@ RoomProof room_of(const Problem& problem, Layout& memory) {
   return {*problem.grid, asked_world(memory), memory.stage.check, memory.trajectory, world_of(memory.world)};
 }
 
-/// The curves of a plan with dwells cannot be compared with it.
-bool has_dwells(const Problem& problem) {
-  for (std::int32_t v = 0; v < problem.via_count; ++v) {
-    if (problem.vias[v].dwell > 0.0) return true;
-  }
-  return false;
-}
-
-/// The plan that sets the pace, if the chain begins on it.
+/// The plan that sets the pace, if the chain begins on it. It is no rival of curves that lack their dwells.
 Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory) {
   if (!problem.has_pace || curves.stop_and_go || memory.stops[0].count > 0) return {};
   const Trajectory& plan = memory.previous.plan;

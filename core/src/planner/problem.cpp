@@ -79,4 +79,11 @@ bool rests(const Problem& problem) noexcept {
   return at_rest(problem.asked.start) && at_rest(problem.asked.goal);
 }
 
+bool has_dwells(const Problem& problem) noexcept {
+  for (std::int32_t v = 0; v < problem.via_count; ++v) {
+    if (problem.vias[v].dwell > 0.0) return true;
+  }
+  return false;
+}
+
 }  // namespace tern

@@ -98,6 +98,9 @@ RequestFault read_world(const Request& request, const Ends& ends, Problem& probl
 /// Both requested ends are at rest.
 bool rests(const Problem& problem) noexcept;
 
+/// The plan dwells at a via.
+bool has_dwells(const Problem& problem) noexcept;
+
 }  // namespace tern
 
 #endif
