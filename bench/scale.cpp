@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the work of a plan grows: with the cells of the map, with vias, and with legs. Counts units, which are the same
-// on every machine. tools/bench scale runs it; bench/scale_plot.py draws its table.
+// How the work of a plan grows: with the cells of the map, with vias, with legs, and with things that move. Counts
+// units, which are the same on every machine. tools/bench scale runs it; bench/scale_plot.py draws its table.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +29,7 @@ constexpr double kGap = 12.0;     ///< metres from wall to wall of a slalom
 const double kEdges[] = {4.0, 8.0, 16.0, 32.0, 64.0, 105.0};  ///< of worlds of columns, metres
 const int kVias[] = {1, 2, 4, 8, 16};
 const int kWalls[] = {1, 2, 4, 8, 16, 24};
+const int kThings[] = {1, 2, 5, 10, 20, 50, 100, 200};
 
 struct Options {
   std::string csv;
@@ -71,8 +72,8 @@ Scenario slalom(int walls) {
   return scenario;
 }
 
-constexpr tern::Stage kStages[] = {tern::Stage::kSearch, tern::Stage::kShortcut, tern::Stage::kCorridor,
-                                   tern::Stage::kTrajectory, tern::Stage::kCheck};
+constexpr tern::Stage kStages[] = {tern::Stage::kSearch,     tern::Stage::kShortcut, tern::Stage::kCorridor,
+                                   tern::Stage::kTrajectory, tern::Stage::kTracks,   tern::Stage::kCheck};
 constexpr int kColumns = sizeof(kStages) / sizeof(kStages[0]);
 
 /// Units of each stage, of the plans of one size.
@@ -140,6 +141,34 @@ void over_vias(tern_host::Session& session, const Options& options, std::ofstrea
   }
 }
 
+/// A ball that crosses the world of columns in a straight line. It is not at the start in the first seconds.
+tern_host::TrackRecord ball(double edge, const tern::Vec3& start, Random& random) {
+  tern_host::TrackRecord thing;
+  tern::Vec3& place = thing.track.position;
+  do {
+    place = {random.real(0.0, edge), random.real(0.0, edge), random.real(0.5, kHeight - 0.5)};
+  } while (std::hypot(place.x - start.x, place.y - start.y) < 5.0);
+  thing.track.velocity = {random.real(-1.0, 1.0), random.real(-1.0, 1.0), 0.0};
+  thing.track.radius = 0.3;
+  thing.track.error = 0.05;
+  thing.track.error_speed = 0.02;
+  return thing;
+}
+
+void over_things(tern_host::Session& session, const Options& options, std::ofstream& csv) {
+  constexpr double kEdge = 16.0;
+  for (const int things : kThings) {
+    Row row;
+    for (int seed = 1; seed <= options.worlds; ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      Scenario scenario = columns(kEdge, random);
+      for (int t = 0; t < things; ++t) scenario.tracks.push_back(ball(kEdge, scenario.start.position, random));
+      row.add(session.plan(scenario));
+    }
+    row.write("things", things, csv);
+  }
+}
+
 void over_walls(tern_host::Session& session, std::ofstream& csv) {
   for (const int walls : kWalls) {
     Row row;
@@ -158,10 +187,11 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
   if (!options.csv.empty()) csv.open(options.csv);
-  csv << "what,size,planned,asked,search,shortcut,corridor,trajectory,check,inflate_us\n";
+  csv << "what,size,planned,asked,search,shortcut,corridor,trajectory,tracks,check,inflate_us\n";
   tern_host::Session session;
   over_cells(session, options, csv);
   over_vias(session, options, csv);
   over_walls(session, csv);
+  over_things(session, options, csv);
   return 0;
 }

@@ -7,7 +7,8 @@ import csv
 import math
 import sys
 
-STAGES = {"search": "#0b6e99", "shortcut": "#c4501b", "corridor": "#3a7d34", "trajectory": "#7b4fa3", "check": "#a3323a"}
+STAGES = {"search": "#0b6e99", "shortcut": "#c4501b", "corridor": "#3a7d34", "trajectory": "#7b4fa3", "tracks": "#8a6d00",
+          "check": "#a3323a"}
 PANEL, HEIGHT, LEFT, TOP, BOTTOM = 340, 380, 75, 40, 50
 UNITS = (1.0, 1e6)
 
