@@ -78,6 +78,14 @@ inline Guess guess(const Point& p) {
   return {guess(p[0]), guess(p[1]), guess(p[2])};
 }
 
+inline double dot(const Guess& a, const Guess& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Guess cross(const Guess& a, const Guess& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 }  // namespace tern_verify
 
 #endif

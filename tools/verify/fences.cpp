@@ -63,9 +63,7 @@ class Room {
  public:
   Room(const Fence& fence, const Box& boundary) : fence_(fence) {
     if (fence.keep_in) return;
-    planes_ = cut_to(boundary, fence.distance + kSpare, fence.planes);
-    for (const HalfSpace& plane : fence.planes) faces_.push_back({-1 * plane.normal, -plane.offset});
-    for (const HalfSpace& plane : planes_) guesses_.push_back(unit(plane));
+    extent_ = Extent(cut_to(boundary, fence.distance + kSpare, fence.planes));
   }
 
   /// Of all points of the hull, from below. Stops trying once there is more than `enough`.
@@ -74,26 +72,27 @@ class Room {
   }
 
  private:
-  struct Unit {
-    Guess normal;
-    double offset;
-  };
-
-  static Unit unit(const HalfSpace& plane) {
-    const Guess n = guess(plane.normal);
-    const double length = std::hypot(n[0], std::hypot(n[1], n[2]));
-    return {{n[0] / length, n[1] / length, n[2] / length}, plane.offset.convert_to<double>() / length};
+  Rational beyond(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
+    // The keep-out has n . p >= offset for each of its faces, seen from outside.
+    const HalfSpace& face = fence_.planes[face_towards(hull)];
+    Rational best = room_along(fence_, hull, -1 * face.normal, -face.offset);
+    if (enough && best >= *enough) return best;
+    const Point direction = towards(hull);
+    const std::optional<Rational> least = extent_.least_along(direction);
+    if (least && dot(direction, direction) > 0) best = std::max(best, room_along(fence_, hull, direction, *least));
+    return best;
   }
 
-  Rational beyond(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
-    std::optional<Rational> best;
-    // The keep-out has n . p >= offset for each of its faces, seen from outside.
-    for (const HalfSpace& face : faces_) raise(best, room_along(fence_, hull, face.normal, face.offset));
-    if (enough && *best >= *enough) return *best;
-    const Point direction = towards(hull);
-    const std::optional<Rational> least = least_along(direction, planes_);
-    if (least && dot(direction, direction) > 0) raise(best, room_along(fence_, hull, direction, *least));
-    return *best;
+  /// The face that seems to leave the hull the most room.
+  std::size_t face_towards(const Polygon<3>& hull) const {
+    std::vector<double> rooms;
+    for (std::size_t f = 0; f < fence_.planes.size(); ++f) {
+      const Extent::Plane& face = extent_.planes()[f];
+      double room = HUGE_VAL;
+      for (const Point& point : hull) room = std::min(room, dot(face.normal, guess(point)) - face.offset);
+      rooms.push_back(room);
+    }
+    return static_cast<std::size_t>(std::max_element(rooms.begin(), rooms.end()) - rooms.begin());
   }
 
   /// From the middle of the hull to the nearest point of the keep-out, by Dykstra's alternating projections. If that
@@ -105,12 +104,13 @@ class Room {
       for (std::size_t a = 0; a < 3; ++a) middle[a] += p[a] / static_cast<double>(hull.size());
     }
     Guess at = middle;
-    std::vector<double> pushed(guesses_.size(), 0.0);
+    const std::vector<Extent::Plane>& planes = extent_.planes();
+    std::vector<double> pushed(planes.size(), 0.0);
     for (int round = 0; round < kProjections; ++round) {
-      for (std::size_t k = 0; k < guesses_.size(); ++k) {
-        const Guess& n = guesses_[k].normal;
+      for (std::size_t k = 0; k < planes.size(); ++k) {
+        const Guess& n = planes[k].normal;
         const double before = pushed[k];
-        pushed[k] = std::max(0.0, n[0] * at[0] + n[1] * at[1] + n[2] * at[2] - guesses_[k].offset + before);
+        pushed[k] = std::max(0.0, dot(n, at) - planes[k].offset + before);
         for (std::size_t a = 0; a < 3; ++a) at[a] += (before - pushed[k]) * n[a];
       }
     }
@@ -124,7 +124,7 @@ class Room {
   Point across_edge(const Point& direction, const std::vector<double>& pushed) const {
     std::vector<Point> normals;
     for (std::size_t k = 0; k < pushed.size(); ++k) {
-      if (pushed[k] > kNoPush) normals.push_back(planes_[k].normal);
+      if (pushed[k] > kNoPush) normals.push_back(extent_.planes()[k].exact.normal);
     }
     if (normals.size() != 2) return direction;
     const Point edge = cross(normals[0], normals[1]);
@@ -132,8 +132,7 @@ class Room {
   }
 
   const Fence& fence_;
-  std::vector<HalfSpace> planes_, faces_;
-  std::vector<Unit> guesses_;
+  Extent extent_;  // of a keep-out; its own planes come first
 };
 
 /// The rooms that a curve may be in: it needs one of them.
