@@ -6,13 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "support/track_pairs.hpp"
-#include "tern/track_proof.hpp"
+#include "exact_pair.hpp"
 
 namespace tern_verify {
 namespace {
 
-const Rational kEnough = -decimal(4, 9);
+const Rational kEnough = enough_room();
 
 /// 4 m along x in 2 s.
 TimedWay along_x(const Rational& begin = 0) {
@@ -78,47 +77,34 @@ TEST(Tracks, TheSmallerOfTwoTubesCounts) {
   EXPECT_GT(room.most, decimal(19764, 4));
 }
 
-Point exact(const tern::Vec3& v) {
-  return {Rational(v.x), Rational(v.y), Rational(v.z)};
+/// Intervals and exact numbers bound the same least room, and answer alike.
+void expect_alike(const RoomInTime& fast, const RoomInTime& exact) {
+  EXPECT_EQ(fast.noted, exact.noted);
+  EXPECT_EQ(fast.leaves, exact.leaves);
+  EXPECT_LE(fast.least, exact.most);
+  EXPECT_LE(exact.least, fast.most);
+  EXPECT_EQ(fast.least >= kEnough, exact.least >= kEnough);
 }
 
-Polygon<3> exact(const tern::Vec3* points, const tern::Vec3& origin) {
-  Polygon<3> polygon;
-  for (int k = 0; k < tern::kControlPoints; ++k) polygon.push_back(exact(points[k]) + exact(origin));
-  return polygon;
-}
-
-Rational seconds(std::int64_t time) {
-  return Rational(time) / 1000000000;
-}
-
-TimedWay way_of(const tern_test::TrackPair& pair) {
-  TimedWay way{{}, seconds(pair.plan.begin), Rational(pair.grounds.rest), Rational(pair.grounds.radius)};
-  for (int s = 0; s < pair.plan.count; ++s) {
-    const tern::Segment& segment = pair.plan.segments[s];
-    way.curves.push_back({exact(segment.points, pair.plan.origin), Rational(segment.duration)});
+TEST(Tracks, IntervalsFindWhatExactNumbersDo) {
+  tern_test::Random random(42);
+  for (int i = 0; i < tern_test::scaled(300); ++i) {
+    SCOPED_TRACE(i);
+    const tern_test::TrackPair pair = tern_test::random_pair(random);
+    tern::Track track = pair.track;
+    track.pieces = pair.pieces.data();
+    const TimedWay way = way_of(pair);
+    const Thing thing = thing_of(track);
+    expect_alike(room_beside(way, thing, kEnough), room_beside(way, thing, kEnough, Numbers::kExact));
   }
-  return way;
 }
 
-Thing thing_of(const tern::Track& track) {
-  Thing thing;
-  thing.shape = static_cast<ThingShape>(track.shape);
-  thing.radius = Rational(track.radius);
-  thing.half = exact(track.half);
-  thing.position = exact(track.position);
-  thing.velocity = exact(track.velocity);
-  for (int p = 0; p < track.piece_count; ++p) {
-    thing.pieces.push_back({exact(track.pieces[p].points, track.position), Rational(track.pieces[p].duration)});
-  }
-  thing.error = Rational(track.error);
-  thing.error_speed = Rational(track.error_speed);
-  thing.error_growth = Rational(track.error_growth);
-  thing.reach = Rational(track.reach);
-  thing.from = seconds(track.measured);
-  thing.until = seconds(track.until);
-  thing.end = static_cast<ThingEnd>(track.end);
-  return thing;
+/// Beyond 1e150 m, squares overflow, so intervals know nothing.
+TEST(Tracks, ExactNumbersAreAskedWhereIntervalsDoNotTell) {
+  const Rational far = Rational(Integer(1) << 600);
+  const RoomInTime room = room_beside(along_x(), ball({0, far, 0}, 0), kEnough);
+  EXPECT_GE(room.least, Rational(3) / 4 * far);
+  EXPECT_LE(room.least, far);
 }
 
 /// What the core proves holds in exact numbers, without any rounding. What it refuses has next to no room.
@@ -129,26 +115,11 @@ TEST(Tracks, TheCoresProofsHoldExactly) {
   for (int i = 0; i < tern_test::scaled(500); ++i) {
     tern_test::TrackPair pair = tern_test::random_pair(random);
     tern_test::hold_pieces(pair);
-    tern::ProofReport report;
-    const double until = tern::clear_until(pair.plan, 0.0, pair.grounds, &report);
-    TimedWay way = way_of(pair);
-    if (report.finding != tern::Finding::kNone) {
-      ++refused;
-      const RoomInTime room = room_beside(way, thing_of(pair.track), kEnough);
-      EXPECT_TRUE(room.leaves || room.least < Rational(1) / 10000) << "case " << i;
-      // The segments before it are proven.
-      Rational end = 0;
-      std::size_t kept = 0;
-      while (kept < way.curves.size() && end + way.curves[kept].duration < Rational(until)) {
-        end += way.curves[kept++].duration;
-      }
-      way.curves.resize(kept);
-      way.rest = 0;
-      if (kept == 0) continue;
-    }
-    ++proven;
-    const RoomInTime room = room_beside(way, thing_of(pair.track), kEnough);
-    EXPECT_TRUE(!room.noted || room.least >= kEnough) << "case " << i << ": " << text_below(room.least);
+    const PairFinding finding = prove_exactly(pair);
+    proven += finding.proven ? 1 : 0;
+    refused += finding.refused ? 1 : 0;
+    EXPECT_FALSE(finding.is_unsound) << "case " << i;
+    EXPECT_FALSE(finding.is_timid) << "case " << i;
   }
   EXPECT_GT(proven, refused / 4);
 }

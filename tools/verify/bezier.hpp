@@ -17,17 +17,19 @@ namespace tern_verify {
 template <std::size_t N>
 using Polygon = std::vector<Vector<N>>;
 
-template <std::size_t N>
-struct Halves {
-  Polygon<N> left, right;
+template <typename V>
+struct HalvesOf {
+  std::vector<V> left, right;
 };
-
-/// de Casteljau at 1/2.
 template <std::size_t N>
-Halves<N> halves_of(Polygon<N> curve) {
-  static const Rational kHalf = Rational(1) / 2;
+using Halves = HalvesOf<Vector<N>>;
+
+/// de Casteljau at 1/2. The points may be of any numbers.
+template <typename V>
+HalvesOf<V> halves_of(std::vector<V> curve) {
+  static const typename V::value_type kHalf = 0.5;
   const std::size_t degree = curve.size() - 1;
-  Halves<N> halves{{curve.front()}, Polygon<N>(curve.size())};
+  HalvesOf<V> halves{{curve.front()}, std::vector<V>(curve.size())};
   halves.right[degree] = curve[degree];
   for (std::size_t last = degree; last > 0; --last) {
     for (std::size_t i = 0; i < last; ++i) curve[i] = kHalf * (curve[i] + curve[i + 1]);
@@ -48,8 +50,8 @@ Polygon<N> hodograph(const Polygon<N>& curve, const Rational& duration) {
 }
 
 /// The point at `u`: de Casteljau.
-template <std::size_t N>
-Vector<N> point_at(Polygon<N> curve, const Rational& u) {
+template <typename V>
+V point_at(std::vector<V> curve, const typename V::value_type& u) {
   for (std::size_t last = curve.size() - 1; last > 0; --last) {
     for (std::size_t i = 0; i < last; ++i) curve[i] = curve[i] + u * (curve[i + 1] - curve[i]);
   }
@@ -57,15 +59,15 @@ Vector<N> point_at(Polygon<N> curve, const Rational& u) {
 }
 
 /// The part of a curve between two parameters, 0 <= from < to <= 1: de Casteljau twice.
-template <std::size_t N>
-Polygon<N> part_of(Polygon<N> curve, const Rational& from, const Rational& to) {
+template <typename V, typename Number = typename V::value_type>
+std::vector<V> part_of(std::vector<V> curve, const Number& from, const Number& to) {
   const std::size_t degree = curve.size() - 1;
-  Polygon<N> kept = curve;
+  std::vector<V> kept = curve;
   for (std::size_t level = 0; level <= degree; ++level) {
     kept[level] = curve[0];
     for (std::size_t i = 0; i + level < degree; ++i) curve[i] = curve[i] + to * (curve[i + 1] - curve[i]);
   }
-  const Rational u = from / to;
+  const Number u = from / to;
   curve = kept;
   for (std::size_t level = 0; level <= degree; ++level) {
     kept[degree - level] = curve[degree - level];

@@ -2,7 +2,8 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Plans many random scenarios with `tern plan`, or with --flights flies through many random worlds with `tern fly`,
-proves each plan or flight with `tern verify`, and prints one table.
+proves each plan or flight with `tern verify`, and prints one table. With --pairs, it holds the core's proofs of random
+plans beside random tracks against exact numbers (docs/tracks.md).
 
 Run k is scenario or world k // F of family k % F, of F families (tools/verify/scenarios.py, docs/simulator.md).
 Finished runs are kept in FOLDER/NAME.csv, so that the same command goes on where a killed run was; another build of the
@@ -26,7 +27,7 @@ sys.dont_write_bytecode = True  # no compiled copies in the source tree
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "campaigns"))
 from scenarios import FAMILIES, scenario  # noqa: E402
 from state import State  # noqa: E402
-from subjects import Flights, Plans, columns_of, least, summary_of  # noqa: E402
+from subjects import Flights, Pairs, Plans, columns_of, least, summary_of  # noqa: E402
 
 
 def parse_arguments():
@@ -34,6 +35,7 @@ def parse_arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=200, metavar="N", help="plan N scenarios (default 200)")
     parser.add_argument("--flights", type=int, metavar="N", help="fly N flights instead, and prove them")
+    parser.add_argument("--pairs", type=int, metavar="N", help="prove N thousand pairs of plan and track instead")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="of each family's first run (default 1)")
     parser.add_argument("--family", choices=[*FAMILIES, *Flights.families], action="append", help="only these families")
     parser.add_argument("--set", metavar="KEY=VALUE", dest="settings", action="append", default=[],
@@ -42,11 +44,12 @@ def parse_arguments():
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs at a time (default: one a core)")
     parser.add_argument("--fresh", action="store_true", help="forget what was run before")
     parser.add_argument("--print", metavar="FAMILY:SEED", dest="shown", help="only print this scenario")
-    parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
+    parser.add_argument("--tern", help=argparse.SUPPRESS)
     parser.add_argument("--maps", default="bench/maps", type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--folder", default="build/prove", type=pathlib.Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
-    kind = Plans if arguments.flights is None else Flights
+    kind = Flights if arguments.flights is not None else Pairs if arguments.pairs is not None else Plans
+    arguments.tern = arguments.tern or f"build/host/{'tests/verify/tern_track_pairs' if kind is Pairs else 'tools/tern'}"
     for family in arguments.family or []:
         if family not in kind.families:
             parser.error(f"there are no {kind.name} of family {family}")
@@ -131,7 +134,7 @@ def main():
         print(scenario(family, int(seed), arguments.maps), end="")
         return 0
     families = arguments.family or kind.families
-    named = [*([kind.name] if kind.name == "flights" else []), *(arguments.family or ["all"]), str(arguments.seed)]
+    named = [*([] if kind.name == "plans" else [kind.name.split()[-1]]), *(arguments.family or ["all"]), str(arguments.seed)]
     arguments.name = arguments.name or "-".join([*named, *arguments.settings])
     arguments.folder.mkdir(parents=True, exist_ok=True)
     path = arguments.folder / f"{arguments.name}.csv"
@@ -139,10 +142,10 @@ def main():
         path.unlink(missing_ok=True)
     program = hashlib.sha256(pathlib.Path(arguments.tern).read_bytes()).hexdigest()[:16]
     columns = columns_of(kind)
-    fields = ["row", "seed", "status", "flight", "commits", "claims", *columns, *(f"{name} used" for name in columns),
+    fields = ["row", "seed", "status", "flight", "commits", "claims", "refused", *columns, *(f"{name} used" for name in columns),
               "seconds"]
     state = State(path, " ".join([f"program {program}", kind.name, *kind.settings]), fields)
-    count = arguments.runs if kind.name == "plans" else arguments.flights
+    count = {"plans": arguments.runs, "flights": arguments.flights}.get(kind.name, arguments.pairs)
     wanted = [(families[k % len(families)], arguments.seed + k // len(families)) for k in range(count)]
     run_all(arguments, kind, wanted, state)
     runs = [state.runs[run] for run in sorted(wanted, key=lambda run: (families.index(run[0]), run[1]))]

@@ -15,37 +15,37 @@ namespace tern_verify {
 
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-/// A vector of exact numbers.
+/// A vector of exact numbers. The operators also take vectors of other numbers.
 template <std::size_t N>
 using Vector = std::array<Rational, N>;
 /// A point or a direction in space.
 using Point = Vector<3>;
 
-template <std::size_t N>
-Vector<N> operator+(const Vector<N>& a, const Vector<N>& b) {
-  Vector<N> sum;
+template <typename T, std::size_t N>
+std::array<T, N> operator+(const std::array<T, N>& a, const std::array<T, N>& b) {
+  std::array<T, N> sum;
   for (std::size_t i = 0; i < N; ++i) sum[i] = a[i] + b[i];
   return sum;
 }
 
-template <std::size_t N>
-Vector<N> operator-(const Vector<N>& a, const Vector<N>& b) {
-  Vector<N> difference;
+template <typename T, std::size_t N>
+std::array<T, N> operator-(const std::array<T, N>& a, const std::array<T, N>& b) {
+  std::array<T, N> difference;
   for (std::size_t i = 0; i < N; ++i) difference[i] = a[i] - b[i];
   return difference;
 }
 
-template <std::size_t N>
-Vector<N> operator*(const Rational& s, const Vector<N>& a) {
-  Vector<N> scaled;
+template <typename T, std::size_t N>
+std::array<T, N> operator*(const typename std::array<T, N>::value_type& s, const std::array<T, N>& a) {
+  std::array<T, N> scaled;
   for (std::size_t i = 0; i < N; ++i) scaled[i] = s * a[i];
   return scaled;
 }
 
-template <std::size_t N>
-Rational dot(const Vector<N>& a, const Vector<N>& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+template <typename T, std::size_t N>
+T dot(const std::array<T, N>& a, const std::array<T, N>& b) {
+  T sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum = sum + a[i] * b[i];
   return sum;
 }
 

@@ -68,6 +68,32 @@ class Flights:
                 "commits": sum(commits)}
 
 
+class Pairs:
+    """Random plans beside random tracks, a thousand a run: the core's proofs of them against exact numbers. `tern` is
+    the program tern_track_pairs, which proves them at once."""
+    name, families, groups, settings = "thousands of pairs", ["pairs"], {}, []
+
+    def __init__(self, tern, maps, settings):
+        self.tern = tern
+        if settings:
+            raise SystemExit("tools/prove: --set is for --flights")
+
+    def make(self, family, seed, folder, row):
+        done = subprocess.run([self.tern, str(seed), "1000"], capture_output=True, text=True)
+        *cases, last = done.stdout.splitlines() or [""]
+        row["status"] = {0: "proven", 1: "REFUTED"}.get(done.returncode, "FAILED")
+        if row["status"] != "FAILED":
+            row["claims"], row["refused"], _ = last.split()
+        if row["status"] != "proven":
+            print("\n".join(cases + [f"not proven: seed {seed}"]), flush=True)
+
+    @staticmethod
+    def counts(rows):
+        def total(column):
+            return sum(int(row[column]) for row in rows if row.get(column))
+        return {"thousands of pairs": len(rows), "claims": total("claims"), "refused": total("refused")}
+
+
 def columns_of(kind):
     return list(dict.fromkeys(kind.groups.values()))
 

@@ -1,223 +1,72 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The way minus the thing's curve is a Bezier curve, with the distance that is needed as its fourth coordinate. It is
-// halved until a plane parts each piece from the shape. Doubles only guess the planes.
+// First in intervals of doubles, all places seen from where the way begins, so that they stay narrow. What they leave
+// open is found in exact numbers, by the same code.
 #include "verify/tracks.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "verify/tubes.hpp"
 
 namespace tern_verify {
 namespace {
 
-/// Halvings after which a piece counts with what is proven of it.
-constexpr int kHalvings = 40;
-constexpr std::size_t kDegrees = 7;
-/// A piece is looked at no closer once so much of the least room that was seen is proven of it.
-const Rational kShare = Rational(3) / 4;
-/// Metres that do not matter.
-const Rational kNothing = decimal(1, 6);
-
 // What docs/tracks.md says of a way that begins too near to a thing.
 const Rational kLeaveAfter = 1;
 const Rational kLeaveSpeed = Rational(1) / 4;
-
-/// x, y, z and the distance that is needed.
-using Tube = Polygon<4>;
-
-Rational squared(const Rational& a) {
-  return a * a;
-}
-
-Point curve_at(const Thing& thing, const Rational& time) {
-  if (thing.pieces.empty()) return thing.position + (time - thing.from) * thing.velocity;
-  Rational begin = thing.from;
-  for (const TimedCurve& piece : thing.pieces) {
-    const Rational end = begin + piece.duration;
-    if (time < end) return point_at(piece.points, (time - begin) / piece.duration);
-    begin = end;
-  }
-  return thing.pieces.back().points.back();
-}
-
-Rational error_at(const Thing& thing, const Rational& time) {
-  const Rational since = time - thing.from;
-  return thing.error + since * (thing.error_speed + since * thing.error_growth / 2);
-}
 
 /// Whether the thing stays where it is at its end, at this time.
 bool is_over(const Thing& thing, const Rational& time) {
   return thing.end != ThingEnd::kGoesOn && time >= thing.until;
 }
 
-Polygon<3> thing_part(const Thing& thing, const Rational& from, const Rational& to) {
-  if (is_over(thing, from)) return Polygon<3>(kDegrees + 1, curve_at(thing, thing.until));
-  if (!thing.pieces.empty()) return chain_part(thing.pieces, thing.from, from, to);
-  const Point first = curve_at(thing, from);
-  const Point way = curve_at(thing, to) - first;
-  Polygon<3> points;
-  for (std::size_t i = 0; i <= kDegrees; ++i) points.push_back(first + Rational(i) / kDegrees * way);
-  return points;
-}
+/// How far off a thing may be of its curve, or of where it was measured.
+template <typename Number>
+struct Errors {
+  explicit Errors(const Thing& of)
+      : thing(of), error(of.error), speed(of.error_speed), growth(of.error_growth), reach(of.reach) {}
+
+  Number of_curve(const Rational& time) const {
+    const Number since(Rational(time - thing.from));
+    return error + since * (speed + Number(0.5) * since * growth);
+  }
+  /// At a time of a stretch that begins `from`.
+  Number of_curve(const Rational& from, const Rational& time) const {
+    if (!is_over(thing, from)) return of_curve(time);
+    const Number ended = of_curve(thing.until);
+    return thing.end == ThingEnd::kReach ? ended + reach * Number(Rational(time - thing.until)) : ended;
+  }
+  Number of_place(const Rational& time) const { return error + reach * Number(Rational(time - thing.from)); }
+
+  const Thing& thing;
+  Number error, speed, growth, reach;
+};
 
 /// A quadratic polynomial from three of its values, as eight control points.
-std::vector<Rational> raised(const Rational& first, const Rational& middle, const Rational& last) {
-  const Rational between = 2 * middle - (first + last) / 2;
-  std::vector<Rational> points;
+template <typename Number>
+std::vector<Number> raised(const Number& first, const Number& middle, const Number& last) {
+  const Number between = Number(2) * middle - Number(0.5) * (first + last);
+  std::vector<Number> points;
   for (int k = 0; k <= 7; ++k) {
     points.push_back(
-        (Rational((7 - k) * (6 - k)) * first + Rational(2 * k * (7 - k)) * between + Rational(k * (k - 1)) * last) /
-        42);
+        (Number((7 - k) * (6 - k)) * first + Number(2 * k * (7 - k)) * between + Number(k * (k - 1)) * last) /
+        Number(42));
   }
   return points;
 }
 
-Rational needed_error(const Thing& thing, const Rational& from, const Rational& time) {
-  if (!is_over(thing, from)) return error_at(thing, time);
-  const Rational growth = thing.end == ThingEnd::kReach ? thing.reach : Rational(0);
-  return error_at(thing, thing.until) + growth * (time - thing.until);
-}
-
-template <typename Needed>
-Tube tube_of(const Polygon<3>& way, const Polygon<3>& thing, const Rational& from, const Rational& to,
-             const Needed& needed) {
-  const std::vector<Rational> widths = raised(needed(from), needed((from + to) / 2), needed(to));
-  Tube tube;
+template <typename Number, typename Needed>
+Tube<Number> tube_of(const std::vector<PointOf<Number>>& way, const std::vector<PointOf<Number>>& thing,
+                     const Rational& from, const Rational& to, const Needed& needed) {
+  const std::vector<Number> widths = raised<Number>(needed(from), needed(Rational((from + to) / 2)), needed(to));
+  Tube<Number> tube;
   for (std::size_t i = 0; i <= kDegrees; ++i) {
-    const Point apart = way[i] - thing[i];
+    const PointOf<Number> apart = way[i] - thing[i];
     tube.push_back({apart[0], apart[1], apart[2], widths[i]});
   }
   return tube;
 }
-
-Rational ball_of(const Thing& thing) {
-  return thing.shape == ThingShape::kBall ? thing.radius : Rational(0);
-}
-
-Rational beyond(const Rational& coordinate, const Rational& half) {
-  return std::max<Rational>(0, abs(coordinate) - half);
-}
-
-/// Squared distance from the shape; a ball is a point. Rounded up or down where a cylinder's is no rational.
-Rational square_apart(const Thing& thing, const Vector<4>& p, bool above) {
-  if (thing.shape == ThingShape::kBall) return squared(p[0]) + squared(p[1]) + squared(p[2]);
-  const Rational up = squared(beyond(p[2], thing.half[2]));
-  if (thing.shape == ThingShape::kBox) {
-    return squared(beyond(p[0], thing.half[0])) + squared(beyond(p[1], thing.half[1])) + up;
-  }
-  const Rational across = squared(p[0]) + squared(p[1]);
-  const Rational out = (above ? root_above(across) : root_below(across)) - thing.radius;
-  return (out > 0 ? squared(out) : Rational(0)) + up;
-}
-
-Rational most_room(const Thing& thing, const Vector<4>& p) {
-  return root_above(square_apart(thing, p, true)) - p[3];
-}
-
-/// A direction from the shape to a point, guessed.
-Point direction_to(const Thing& thing, const Vector<4>& p) {
-  double d[3] = {guess(p[0]), guess(p[1]), guess(p[2])};
-  if (thing.shape != ThingShape::kBall) {
-    const auto clip = [](double x, double h) { return x < -h ? x + h : x > h ? x - h : 0.0; };
-    d[2] = clip(d[2], guess(thing.half[2]));
-    if (thing.shape == ThingShape::kBox) {
-      d[0] = clip(d[0], guess(thing.half[0]));
-      d[1] = clip(d[1], guess(thing.half[1]));
-    } else {
-      const double across = std::hypot(d[0], d[1]);
-      const double share = across > guess(thing.radius) ? 1.0 - guess(thing.radius) / across : 0.0;
-      d[0] *= share;
-      d[1] *= share;
-    }
-  }
-  const double length = std::hypot(std::hypot(d[0], d[1]), d[2]);
-  if (!(length > 0.0)) return {0, 0, 1};
-  return {Rational(d[0] / length), Rational(d[1] / length), Rational(d[2] / length)};
-}
-
-/// How far the shape reaches along a direction, from above.
-Rational reach_along(const Thing& thing, const Point& n) {
-  if (thing.shape == ThingShape::kBall) return 0;
-  const Rational up = abs(n[2]) * thing.half[2];
-  if (thing.shape == ThingShape::kBox) return abs(n[0]) * thing.half[0] + abs(n[1]) * thing.half[1] + up;
-  return thing.radius * root_above(n[0] * n[0] + n[1] * n[1]) + up;
-}
-
-/// What the plane across the direction to the tube's middle proves for all of it, from below.
-Rational least_room(const Thing& thing, const Tube& tube) {
-  Vector<4> middle = Rational(1) / 2 * (tube[3] + tube[4]);
-  const Point n = direction_to(thing, middle);
-  const Rational reach = reach_along(thing, n);
-  const Rational square = dot(n, n);
-  std::optional<Rational> least;
-  for (const Vector<4>& p : tube) {
-    const Rational apart = n[0] * p[0] + n[1] * p[1] + n[2] * p[2] - reach;
-    const Rational room = apart / (apart < 0 ? root_below(square) : root_above(square)) - p[3];
-    if (!least || room < *least) least = room;
-  }
-  return *least;
-}
-
-/// The tubes of one stretch of time; what is clear of one of them is clear of the thing.
-using Tubes = std::vector<Tube>;
-
-class Search {
- public:
-  Search(const Thing& thing, const Rational& enough, RoomInTime& room) : thing_(thing), enough_(enough), room_(room) {}
-
-  void look(const Tubes& tubes, const Rational& begin, const Rational& length) {
-    struct Piece {
-      Tubes tubes;
-      Rational begin, length;
-      int depth;
-    };
-    std::vector<Piece> open{{tubes, begin, length, 0}};
-    while (!open.empty()) {
-      const Piece piece = std::move(open.back());
-      open.pop_back();
-      note_most(piece.tubes, piece.begin);
-      std::optional<Rational> proven;
-      for (const Tube& tube : piece.tubes) {
-        const Rational least = least_room(thing_, tube);
-        if (!proven || least > *proven) proven = least;
-      }
-      const bool is_done =
-          *proven >= enough_ && *proven >= std::min<Rational>(kShare * room_.most, room_.most - kNothing);
-      if (is_done || *proven >= room_.most || room_.most < enough_ || piece.depth == kHalvings) {
-        room_.least = std::min<Rational>(room_.least, *proven);
-        continue;
-      }
-      Piece first{{}, piece.begin, piece.length / 2, piece.depth + 1};
-      Piece second{{}, piece.begin + piece.length / 2, piece.length / 2, piece.depth + 1};
-      for (const Tube& tube : piece.tubes) {
-        const Halves<4> halves = halves_of(tube);
-        first.tubes.push_back(halves.left);
-        second.tubes.push_back(halves.right);
-      }
-      open.push_back(std::move(second));
-      open.push_back(std::move(first));
-    }
-  }
-
- private:
-  void note_most(const Tubes& tubes, const Rational& when) {
-    std::optional<Rational> most;
-    for (const Tube& tube : tubes) {
-      const Rational room = most_room(thing_, tube.front());
-      if (!most || room > *most) most = room;
-    }
-    if (room_.noted && *most >= room_.most) return;
-    if (!room_.noted) room_.least = *most;
-    room_.noted = true;
-    room_.most = *most;
-    room_.when = when;
-  }
-
-  const Thing& thing_;
-  const Rational enough_;
-  RoomInTime& room_;
-};
 
 /// All times between which way and thing are one curve each.
 std::vector<Rational> times_of(const TimedWay& way, const Thing& thing, const Rational& end) {
@@ -235,54 +84,157 @@ std::vector<Rational> times_of(const TimedWay& way, const Thing& thing, const Ra
   return times;
 }
 
+/// A chain of curves, seen from a place.
+template <typename Number>
+class Chain {
+ public:
+  Chain(const std::vector<TimedCurve>& curves, const Rational& begin, const Point& origin) {
+    times_.push_back(begin);
+    for (const TimedCurve& curve : curves) {
+      times_.push_back(times_.back() + curve.duration);
+      points_.emplace_back();
+      for (const Point& p : curve.points) points_.back().push_back(in_numbers<Number>(p - origin));
+    }
+  }
+
+  PointOf<Number> at(const Rational& time) const {
+    const std::size_t i = index_at(time);
+    if (i == points_.size()) return points_.back().back();
+    return time == times_[i] ? points_[i].front() : point_at(points_[i], share(i, time));
+  }
+
+  /// From one time to another within one of the curves: at rest past the last one.
+  std::vector<PointOf<Number>> part(const Rational& from, const Rational& to) const {
+    const std::size_t i = index_at(from);
+    if (i == points_.size()) return {kDegrees + 1, points_.back().back()};
+    if (from == times_[i] && to == times_[i + 1]) return points_[i];
+    return part_of(points_[i], share(i, from), share(i, to));
+  }
+
+ private:
+  std::size_t index_at(const Rational& time) const {
+    std::size_t i = 0;
+    while (i < points_.size() && time >= times_[i + 1]) ++i;
+    return i;
+  }
+
+  Number share(std::size_t i, const Rational& time) const {
+    return Number(Rational(time - times_[i])) / Number(Rational(times_[i + 1] - times_[i]));
+  }
+
+  std::vector<std::vector<PointOf<Number>>> points_;
+  std::vector<Rational> times_;
+};
+
+/// Way and thing in one kind of numbers, seen from the way's first point.
+template <typename Number>
+class Pair {
+ public:
+  Pair(const TimedWay& way, const Thing& thing, const Rational& enough)
+      : way_(way),
+        thing_(thing),
+        enough_(Number(enough)),
+        ball_(thing.shape == ThingShape::kBall ? thing.radius : Rational(0)),
+        distance_(Rational(way.clearance + ball_)),
+        errors_(thing),
+        origin_(way.curves.front().points.front()),
+        mine_(way.curves, way.begin, origin_),
+        its_(thing.pieces, thing.from, origin_),
+        search_(thing, enough) {}
+
+  /// Nothing, where these numbers do not decide.
+  std::optional<RoomInTime> room() {
+    Rational end = way_.begin + way_.rest;
+    for (const TimedCurve& curve : way_.curves) end += curve.duration;
+    const std::vector<Rational> times = times_of(way_, thing_, end);
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      if (is_over(thing_, times[i]) && thing_.end == ThingEnd::kGone) continue;
+      search_.add(tubes_of(times[i], times[i + 1]), times[i] - way_.begin, times[i + 1] - times[i]);
+    }
+    if (open_) return std::nullopt;
+    return search_.look(leaves_);
+  }
+
+ private:
+  /// Where bounds overlap, the answer is open.
+  bool is_less(const Number& a, const Number& b) {
+    if (above(a) < below(b)) return true;
+    open_ = open_ || below(a) < above(b);
+    return false;
+  }
+
+  PointOf<Number> thing_at(const Rational& time) const {
+    if (!thing_.pieces.empty()) return its_.at(time);
+    return in_numbers<Number>(thing_.position + (time - thing_.from) * thing_.velocity - origin_);
+  }
+
+  std::vector<PointOf<Number>> thing_part(const Rational& from, const Rational& to) const {
+    if (is_over(thing_, from)) return std::vector<PointOf<Number>>(kDegrees + 1, thing_at(thing_.until));
+    if (!thing_.pieces.empty()) return its_.part(from, to);
+    const PointOf<Number> first = thing_at(from);
+    const PointOf<Number> way = thing_at(to) - first;
+    std::vector<PointOf<Number>> points;
+    for (std::size_t i = 0; i <= kDegrees; ++i) points.push_back(first + Number(Rational(i) / kDegrees) * way);
+    return points;
+  }
+
+  Tubes<Number> tubes_of(const Rational& from, const Rational& to) {
+    const std::vector<PointOf<Number>> mine = mine_.part(from, to);
+    const std::vector<PointOf<Number>> its = thing_part(from, to);
+    Tubes<Number> tubes{
+        tube_of<Number>(mine, its, from, to, [&](const Rational& t) { return distance_ + errors_.of_curve(from, t); })};
+    if (thing_.reach > 0) {
+      const std::vector<PointOf<Number>> rest(kDegrees + 1, thing_at(thing_.from));
+      tubes.push_back(
+          tube_of<Number>(mine, rest, from, to, [&](const Rational& t) { return distance_ + errors_.of_place(t); }));
+    }
+    if (from == way_.begin) leave(tubes);
+    if (gap_) {
+      const bool grows = from >= way_.begin + kLeaveAfter;
+      tubes.push_back(tube_of<Number>(mine, its, from, to, [&](const Rational& t) {
+        return *gap_ + Number(grows ? Rational(kLeaveSpeed * (t - way_.begin - kLeaveAfter)) : Rational(0));
+      }));
+    }
+    return tubes;
+  }
+
+  /// Whether the way leaves the thing, seen from its beginning.
+  void leave(const Tubes<Number>& tubes) {
+    leaves_ = true;
+    for (const Tube<Number>& tube : tubes) {
+      leaves_ = leaves_ && is_less(most_room(search_.shape(), tube.front()), enough_);
+    }
+    if (!leaves_) return;
+    const Number gap = root_above(square_apart(search_.shape(), tubes.front().front()));
+    if (is_less(Number(ball_), gap)) gap_ = gap;
+  }
+
+  const TimedWay& way_;
+  const Thing& thing_;
+  const Number enough_;
+  const Rational ball_;
+  const Number distance_;
+  const Errors<Number> errors_;
+  const Point origin_;
+  const Chain<Number> mine_, its_;
+  Search<Number> search_;
+  std::optional<Number> gap_;  ///< at the beginning, where the way leaves the thing
+  bool leaves_ = false;
+  bool open_ = false;
+};
+
 }  // namespace
 
 Polygon<3> chain_part(const std::vector<TimedCurve>& chain, Rational begin, const Rational& from, const Rational& to) {
-  for (const TimedCurve& curve : chain) {
-    const Rational end = begin + curve.duration;
-    if (from < end) return part_of(curve.points, (from - begin) / curve.duration, (to - begin) / curve.duration);
-    begin = end;
-  }
-  return Polygon<3>(kDegrees + 1, chain.back().points.back());
+  return Chain<Rational>(chain, begin, {0, 0, 0}).part(from, to);
 }
 
-RoomInTime room_beside(const TimedWay& way, const Thing& thing, const Rational& enough) {
-  RoomInTime room{0, 0, 0};
-  Rational end = way.begin + way.rest;
-  for (const TimedCurve& curve : way.curves) end += curve.duration;
-  const std::vector<Rational> times = times_of(way, thing, end);
-  Search search(thing, enough, room);
-  std::optional<Rational> gap;  // at the beginning, where the way leaves the thing
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const Rational& from = times[i];
-    const Rational& to = times[i + 1];
-    if (is_over(thing, from) && thing.end == ThingEnd::kGone) continue;
-    const Polygon<3> mine = chain_part(way.curves, way.begin, from, to);
-    const Polygon<3> its = thing_part(thing, from, to);
-    const Rational distance = way.clearance + ball_of(thing);
-    Tubes tubes{tube_of(mine, its, from, to,
-                        [&](const Rational& t) { return Rational(distance + needed_error(thing, from, t)); })};
-    if (thing.reach > 0) {
-      const Polygon<3> rest(kDegrees + 1, curve_at(thing, thing.from));
-      tubes.push_back(tube_of(mine, rest, from, to, [&](const Rational& t) {
-        return Rational(distance + thing.error + thing.reach * (t - thing.from));
-      }));
-    }
-    if (from == way.begin) {
-      bool touches = true;
-      for (const Tube& tube : tubes) touches = touches && most_room(thing, tube.front()) < enough;
-      if (touches) gap = root_above(square_apart(thing, tubes.front().front(), true));
-      room.leaves = touches;
-    }
-    if (gap && *gap > ball_of(thing)) {
-      const bool grows = from >= way.begin + kLeaveAfter;
-      tubes.push_back(tube_of(mine, its, from, to, [&](const Rational& t) {
-        return Rational(*gap + (grows ? Rational(kLeaveSpeed * (t - way.begin - kLeaveAfter)) : Rational(0)));
-      }));
-    }
-    search.look(tubes, from - way.begin, to - from);
+RoomInTime room_beside(const TimedWay& way, const Thing& thing, const Rational& enough, Numbers numbers) {
+  if (numbers == Numbers::kIntervalsFirst) {
+    const std::optional<RoomInTime> room = Pair<Interval>(way, thing, enough).room();
+    if (room && (!room->noted || room->least >= enough || room->most < enough)) return *room;
   }
-  return room;
+  return *Pair<Rational>(way, thing, enough).room();
 }
 
 Rational whole_nanoseconds(const Rational& seconds) {

@@ -60,8 +60,13 @@ struct RoomInTime {
 /// Where a chain of curves is, as control points, from one time to another within one of them: at rest past its end.
 Polygon<3> chain_part(const std::vector<TimedCurve>& chain, Rational begin, const Rational& from, const Rational& to);
 
+/// Numbers in which the room is looked for. What intervals of doubles find is as true as what exact numbers do; where
+/// they do not tell whether there is `enough`, exact ones are asked.
+enum class Numbers { kIntervalsFirst, kExact };
+
 /// The least room that the way leaves the thing. Looks no closer where the room is `enough`.
-RoomInTime room_beside(const TimedWay& way, const Thing& thing, const Rational& enough);
+RoomInTime room_beside(const TimedWay& way, const Thing& thing, const Rational& enough,
+                       Numbers numbers = Numbers::kIntervalsFirst);
 
 /// Seconds as the planner has them: whole nanoseconds.
 Rational whole_nanoseconds(const Rational& seconds);
