@@ -73,6 +73,22 @@ def main():
     expect("against their worlds, with their settings", "P36:4 --set depth_noise=0.01 --set outliers=0.01 --set "
            "tracking=quadrotor --brief" in (folder / "flights").read_text())
     expect("into a table", "| P36 | 2 | 2 | 140 | 2 | -1e-09 (0.001 %) | 3 |" in flown.stdout)
+
+    pairs = folder / "pairs"
+    pairs.write_text(f'#!/bin/sh\necho "$*" >>{folder}/proven\n[ $1 = 6 ] && echo "case 7" && echo 800 300 1 && exit 1\n'
+                     'echo 900 200 0\n')
+    pairs.chmod(0o755)
+
+    def prove_pairs(thousands):
+        return subprocess.run([sys.executable, campaign, "--pairs", str(thousands), "--seed", "5", "--tern", str(pairs),
+                               "--folder", str(folder), "--jobs", "1"], capture_output=True, text=True)
+
+    expect("pairs are proven", prove_pairs(1).returncode == 0)
+    unsound = prove_pairs(2)
+    expect("one that is not so ends with 1", unsound.returncode == 1)
+    expect("and is named", "case 7\nnot proven: seed 6" in unsound.stdout)
+    expect("what was proven is kept", (folder / "proven").read_text() == "5 1000\n6 1000\n")
+    expect("pairs are counted", "2 thousands of pairs, 1700 claims, 1 not proven" in unsound.stdout)
     return status()
 
 

@@ -99,6 +99,20 @@ TEST(Tracks, IntervalsFindWhatExactNumbersDo) {
   }
 }
 
+/// A tangent, a picometre more or less than what is needed, near the origin and far from it.
+TEST(Tracks, APicometreCounts) {
+  for (const int far : {0, 10000000}) {
+    TimedWay way = along_x();
+    for (Point& p : way.curves[0].points) p = p + Point{far, far, far};
+    for (const int sign : {-1, 1}) {
+      const Rational aside = 1 + kEnough + sign * decimal(1, 12);
+      const RoomInTime room = room_beside(way, ball({far + 2, far + aside, far}, Rational(1) / 2), kEnough);
+      EXPECT_EQ(room.least >= kEnough, sign > 0);
+      EXPECT_EQ(room.most < kEnough, sign < 0);
+    }
+  }
+}
+
 /// Beyond 1e150 m, squares overflow, so intervals know nothing.
 TEST(Tracks, ExactNumbersAreAskedWhereIntervalsDoNotTell) {
   const Rational far = Rational(Integer(1) << 600);
