@@ -226,6 +226,29 @@ TEST(ConvexPieces, ScribblesAreFilledAsTheirRuleSays) {
   }
 }
 
+/// Many steps that go along or up and down on a lattice: much begins, ends and meets on one level, or coincides.
+TEST(ConvexPieces, StepsOnALatticeAreFilledAsTheirRuleSays) {
+  Random random(7);
+  for (int i = 0; i < tern_test::scaled(600); ++i) {
+    const int size = random.integer(3, 12);
+    std::vector<Outline> outlines;
+    for (int k = random.integer(1, 3); k > 0; --k) {
+      Outline steps{{}, static_cast<std::size_t>(random.integer(0, 1))};
+      Corner at{0, 0};
+      for (int c = random.integer(4, 40); c > 0; --c) {
+        const int turn = random.integer(0, 3);  // 0: along, 1: up or down, else to anywhere
+        if (turn != 1) at.x = 16 * random.integer(-size, size);
+        if (turn != 0) at.y = 16 * random.integer(-size, size);
+        steps.corners.push_back(at);
+      }
+      outlines.push_back(steps);
+    }
+    const Filled filled = random.chance(0.5) ? Filled(even_odd) : Filled(first_without_second);
+    expect_same_everywhere(random, outlines, 2, filled, 16 * size, 200);
+    if (HasFatalFailure()) FAIL() << "steps " << i;
+  }
+}
+
 TEST(ConvexPieces, PolygonsWithHolesKeepTheirArea) {
   Random random(6);
   for (int i = 0; i < tern_test::scaled(1000); ++i) {

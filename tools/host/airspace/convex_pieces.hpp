@@ -17,8 +17,8 @@ namespace tern_host {
 constexpr double kStep = 1.0 / 1048576.0;
 /// The largest coordinate of a corner, in steps: 32 km.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 35;
-/// Corners of all outlines together, besides those of hulls of others (Outline::is_hull). The work grows with their
-/// square.
+/// Corners of all outlines together, besides those of hulls of others (Outline::is_hull). Every two edges that share a
+/// level are looked at once; else, the work grows with the corners and with the places where edges meet.
 constexpr std::size_t kMostCorners = 20000;
 /// Sides of a piece; one with more is cut.
 constexpr std::size_t kMostSides = 40;

@@ -9,80 +9,73 @@
 namespace tern_host {
 namespace {
 
-/// Any edge, level or not, as it stands in its outline.
-struct Segment {
-  Corner from;
-  Corner to;
-  std::size_t layer;
-
-  std::int64_t bottom() const { return std::min(from.y, to.y); }
-  std::int64_t top() const { return std::max(from.y, to.y); }
-  std::int64_t left() const { return std::min(from.x, to.x); }
-  std::int64_t right() const { return std::max(from.x, to.x); }
-  bool is_level() const { return from.y == to.y; }
-};
-
-bool same(const Corner& a, const Corner& b) {
-  return a.x == b.x && a.y == b.y;
-}
-
 __int128 cross(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by) {
   return static_cast<__int128>(ax) * by - static_cast<__int128>(ay) * bx;
 }
 
-/// Which side of the segment's line the corner is on: -1, 0 or 1.
-int side_of(const Segment& s, const Corner& c) {
-  const __int128 area = cross(s.to.x - s.from.x, s.to.y - s.from.y, c.x - s.from.x, c.y - s.from.y);
+/// Which side of the edge's line the corner is on: -1, 0 or 1.
+int side_of(const Edge& e, const Corner& c) {
+  const __int128 area = cross(e.dx(), e.dy(), c.x - e.low.x, c.y - e.low.y);
   return (area > 0) - (area < 0);
 }
 
-/// True if two segments that are not parallel meet.
-bool meet(const Segment& a, const Segment& b) {
-  return side_of(b, a.from) * side_of(b, a.to) <= 0 && side_of(a, b.from) * side_of(a, b.to) <= 0;
+/// True if two edges that are not parallel meet.
+bool meet(const Edge& a, const Edge& b) {
+  return side_of(b, a.low) * side_of(b, a.high) <= 0 && side_of(a, b.low) * side_of(a, b.high) <= 0;
 }
 
-/// The level on which two segments that meet and are not parallel do so.
-Level meeting_level(const Segment& a, const Segment& b) {
-  const std::int64_t bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
-  __int128 down = cross(a.to.x - a.from.x, a.to.y - a.from.y, bx, by);
-  __int128 up = cross(b.from.x - a.from.x, b.from.y - a.from.y, bx, by);
+/// The level on which two edges that meet and are not parallel do so.
+Level meeting_level(const Edge& a, const Edge& b) {
+  __int128 down = cross(a.dx(), a.dy(), b.dx(), b.dy());
+  __int128 up = cross(b.low.x - a.low.x, b.low.y - a.low.y, b.dx(), b.dy());
   if (down < 0) {
     down = -down;
     up = -up;
   }
-  return {Wide(a.from.y) * Wide(down) + Wide(a.to.y - a.from.y) * Wide(up), Wide(down)};
+  return {Wide(a.low.y) * Wide(down) + Wide(a.dy()) * Wide(up), Wide(down)};
 }
 
-bool parallel(const Segment& a, const Segment& b) {
-  return cross(a.to.x - a.from.x, a.to.y - a.from.y, b.to.x - b.from.x, b.to.y - b.from.y) == 0;
+bool parallel(const Edge& a, const Edge& b) {
+  return cross(a.dx(), a.dy(), b.dx(), b.dy()) == 0;
 }
 
-void note_meeting(const Segment& a, const Segment& b, Arrangement& found) {
-  if (a.right() < b.left() || b.right() < a.left() || a.is_level() || b.is_level() || parallel(a, b)) return;
-  if (meet(a, b)) found.levels.push_back(meeting_level(a, b));
+/// What else an edge may meet, while both are open: its span, so that most are passed over at once.
+struct Span {
+  std::int64_t left, right, top;
+  const Edge* edge;
+};
+
+Span span_of(const Edge& e) {
+  return {std::min(e.low.x, e.high.x), std::max(e.low.x, e.high.x), e.high.y, &e};
 }
 
-std::vector<Segment> segments_of(const std::vector<Outline>& outlines) {
-  std::vector<Segment> segments;
+std::vector<Edge> edges_of(const std::vector<Outline>& outlines) {
+  std::vector<Edge> edges;
   for (const Outline& outline : outlines) {
     const std::vector<Corner>& corners = outline.corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Corner& next = corners[(i + 1) % corners.size()];
-      if (!same(corners[i], next)) segments.push_back({corners[i], next, outline.layer});
+      const Corner &from = corners[i], &to = corners[(i + 1) % corners.size()];
+      if (from.y == to.y) continue;
+      // The area to the left of an outline's direction is what it winds around.
+      const bool rises = from.y < to.y;
+      edges.push_back({rises ? from : to, rises ? to : from, rises ? -1 : 1, outline.layer});
     }
   }
-  std::sort(segments.begin(), segments.end(),
-            [](const Segment& a, const Segment& b) { return a.bottom() < b.bottom(); });
-  return segments;
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.low.y < b.low.y; });
+  return edges;
 }
 
-void note_meetings(const std::vector<Segment>& segments, Arrangement& found) {
-  std::vector<const Segment*> open;
-  for (const Segment& segment : segments) {
-    const auto ended = [&segment](const Segment* other) { return other->top() < segment.bottom(); };
+void note_meetings(const std::vector<Edge>& edges, std::vector<Event>& events) {
+  std::vector<Span> open;
+  for (const Edge& edge : edges) {
+    const auto ended = [&edge](const Span& other) { return other.top < edge.low.y; };
     open.erase(std::remove_if(open.begin(), open.end(), ended), open.end());
-    for (const Segment* other : open) note_meeting(*other, segment, found);
-    open.push_back(&segment);
+    const Span span = span_of(edge);
+    for (const Span& other : open) {
+      if (span.right < other.left || other.right < span.left || parallel(edge, *other.edge)) continue;
+      if (meet(*other.edge, edge)) events.push_back({meeting_level(*other.edge, edge), &edge});
+    }
+    open.push_back(span);
   }
 }
 
@@ -142,18 +135,13 @@ int compare_slopes(const Edge& a, const Edge& b) {
 }
 
 Arrangement arrange(const std::vector<Outline>& outlines) {
-  Arrangement found;
-  const std::vector<Segment> segments = segments_of(outlines);
-  note_meetings(segments, found);
-  for (const Segment& s : segments) {
-    for (const Corner& end : {s.from, s.to}) found.levels.push_back({Wide(end.y), Wide(1)});
-    if (s.is_level()) continue;
-    // The area to the left of an outline's direction is what it winds around.
-    const bool rises = s.from.y < s.to.y;
-    found.edges.push_back({rises ? s.from : s.to, rises ? s.to : s.from, rises ? -1 : 1, s.layer});
+  Arrangement found{edges_of(outlines), {}};
+  note_meetings(found.edges, found.events);
+  for (const Edge& edge : found.edges) {
+    for (const Corner& end : {edge.low, edge.high}) found.events.push_back({{Wide(end.y), Wide(1)}, &edge});
   }
-  std::sort(found.levels.begin(), found.levels.end());
-  found.levels.erase(std::unique(found.levels.begin(), found.levels.end()), found.levels.end());
+  std::stable_sort(found.events.begin(), found.events.end(),
+                   [](const Event& a, const Event& b) { return a.level < b.level; });
   return found;
 }
 

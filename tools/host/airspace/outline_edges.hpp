@@ -60,11 +60,16 @@ long double rounded(const Level& level);
 /// Negative, zero or positive as dx / dy of `a` is less than, equal to or more than that of `b`.
 int compare_slopes(const Edge& a, const Edge& b);
 
-/// What the outlines consist of: all edges that are not level, by their lower ends, and all levels on which an edge
-/// ends or two cross, in order.
+/// What happens at a place: the edge begins, ends or meets another there.
+struct Event {
+  Level level;
+  const Edge* edge;
+};
+
+/// What the outlines consist of: all edges that are not level, by their lower ends, and what happens where, by levels.
 struct Arrangement {
   std::vector<Edge> edges;
-  std::vector<Level> levels;
+  std::vector<Event> events;
 };
 Arrangement arrange(const std::vector<Outline>& outlines);
 
