@@ -127,12 +127,12 @@ TEST(FlightMissions, StopsAreMade) {
 TEST(FlightMissions, TheVehicleStaysAtAPointForItsDwell) {
   std::vector<Via> way = {via(3.0, 0.0, 1.5), via(5.0, 0.0, 1.5, 0.2, true), via(5.0, 3.0, 1.5, 0.0, true),
                           via(0.0, 0.5, 1.5)};
-  way[1].dwell = 2.0;
+  way[1].dwell = 15.0;  // longer than a vehicle may stand still before it looks for a way on
   way[2].dwell = 0.5;
   Logged mission(Scene{}, FlightSettings{}, way);
   std::int64_t rested[4] = {}, longest[4] = {};  // at each point, while it was the next one
   ASSERT_EQ(mission.flown.flight.set_mission(way.data(), 4, ViaPolicy::kEnd), Status::kOk);
-  while (mission.flown.time < 40000000000 && mission.flown.report.reason != FlightReason::kArrived) {
+  while (mission.flown.time < 60000000000 && mission.flown.report.reason != FlightReason::kArrived) {
     mission.flown.tick();
     const auto leg = static_cast<std::size_t>(mission.flown.report.leg);
     const Sample sample = mission.flown.flight.command(mission.flown.time).sample;
