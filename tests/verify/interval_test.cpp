@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,31 @@ TEST(Intervals, HoldWhatExactNumbersGive) {
   }
 }
 
+/// The ends of wide intervals of any signs, every one with every other one.
+TEST(Intervals, HoldWhatTheirEndsGive) {
+  tern_test::Random random(8);
+  for (int i = 0; i < tern_test::scaled(5000); ++i) {
+    const double xs[] = {any_double(random), any_double(random)};
+    const double ys[] = {any_double(random), any_double(random)};
+    const Interval a = Interval::between(std::min(xs[0], xs[1]), std::max(xs[0], xs[1]));
+    const Interval b = Interval::between(std::min(ys[0], ys[1]), std::max(ys[0], ys[1]));
+    for (const Rational& x : {Rational(xs[0]), Rational(xs[1])}) {
+      expect_holds(abs(a), abs(x));
+      expect_holds(positive_part(a), positive_part(x));
+      EXPECT_LE(Rational(root(a).low()) * Rational(root(a).low()), positive_part(x));
+      EXPECT_GE(Rational(root(a).high()) * Rational(root(a).high()), x);
+      for (const Rational& y : {Rational(ys[0]), Rational(ys[1])}) {
+        expect_holds(a + b, x + y);
+        expect_holds(a - b, x - y);
+        expect_holds(a * b, x * y);
+        if (y != 0) {
+          expect_holds(a / b, x / y);
+        }
+      }
+    }
+  }
+}
+
 TEST(Intervals, AreNarrow) {
   const Interval third(Rational(1) / 3);
   const Interval one = third + third + third;
@@ -69,9 +95,12 @@ TEST(Intervals, AreNarrow) {
 
 TEST(Intervals, HoldAllNumbersWhereNothingIsKnown) {
   const double most = std::numeric_limits<double>::max();
+  const Interval all = Interval(0.0) / Interval(0.0);
+  const Interval positive = positive_part(all);
   for (const Interval& interval : {Interval(most) * Interval(most) - Interval(most) * Interval(most),
                                    Interval(1.0) / (Interval(Rational(1) / 3) - Interval(Rational(1) / 3)),
-                                   Interval(Rational(Integer(1) << 2000))}) {
+                                   Interval(Rational(Integer(1) << 2000)), positive * positive,
+                                   positive / (Interval(1.0) + positive), all * Interval::between(0.0, 1.0)}) {
     EXPECT_EQ(interval.low(), -std::numeric_limits<double>::infinity());
     EXPECT_EQ(interval.high(), std::numeric_limits<double>::infinity());
   }

@@ -121,6 +121,20 @@ TEST(Tracks, ExactNumbersAreAskedWhereIntervalsDoNotTell) {
   EXPECT_LE(room.least, far);
 }
 
+/// It begins 1e160 m away, whose square overflows, and comes within 0.1 m above the vehicle, where 0.3 are needed.
+TEST(Tracks, WhatOverflowsProvesNothing) {
+  const TimedWay way{{{Polygon<3>(8, {0, 0, 0}), 1}}, 0, 0, decimal(3, 1)};
+  Thing thing = ball({0, 0, 0}, Rational(1) / 2);
+  thing.shape = ThingShape::kCylinder;
+  thing.half = {0, 0, Rational(1) / 2};
+  TimedCurve curve{{}, 1};
+  for (int k = 0; k < 8; ++k) curve.points.push_back({Rational(k < 4 ? 1e160 : -1e160), 0, decimal(-6, 1)});
+  thing.pieces = {curve};
+  for (const Numbers numbers : {Numbers::kIntervalsFirst, Numbers::kExact}) {
+    EXPECT_LT(room_beside(way, thing, kEnough, numbers).most, kEnough);
+  }
+}
+
 /// What the core proves holds in exact numbers, without any rounding. What it refuses has next to no room.
 TEST(Tracks, TheCoresProofsHoldExactly) {
   tern_test::Random random(41);

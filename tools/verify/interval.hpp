@@ -23,6 +23,15 @@ class Interval {
     if (number != 0) *this = around(cut, cut, kLeast);
   }
 
+  /// From one number to another one; all numbers unless low <= high, as of infinity less infinity.
+  static Interval between(double low, double high) {
+    Interval interval;
+    const bool is_known = low <= high;
+    interval.low_ = is_known ? low : -kInfinity;
+    interval.high_ = is_known ? high : kInfinity;
+    return interval;
+  }
+
   double low() const { return low_; }
   double high() const { return high_; }
 
@@ -57,7 +66,11 @@ class Interval {
 
   bool is_zero() const { return low_ == 0.0 && high_ == 0.0; }
 
+  /// Where one of them is infinite, another may be 0 times infinity, of which nothing is known.
   static Interval hull_of(double a, double b, double c, double d) {
+    if (!(std::isfinite(a) && std::isfinite(b) && std::isfinite(c) && std::isfinite(d))) {
+      return between(-kInfinity, kInfinity);
+    }
     return around(std::min(std::min(a, b), std::min(c, d)), std::max(std::max(a, b), std::max(c, d)), kLeast);
   }
 
@@ -66,15 +79,6 @@ class Interval {
   static Interval around(double low, double high, double least = 0.0) {
     constexpr double kUnit = std::numeric_limits<double>::epsilon();
     return between(low - (std::abs(low) * kUnit + least), high + (std::abs(high) * kUnit + least));
-  }
-
-  /// Whatever overflows, and then is infinity less infinity, becomes all numbers.
-  static Interval between(double low, double high) {
-    Interval interval;
-    const bool is_known = low <= high;
-    interval.low_ = is_known ? low : -kInfinity;
-    interval.high_ = is_known ? high : kInfinity;
-    return interval;
   }
 
   double low_, high_;

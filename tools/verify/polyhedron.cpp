@@ -76,6 +76,7 @@ Extent::Candidate Extent::candidate(const Triple& triple, const Guess& n) const 
     found.is_likely = found.is_likely && multiplier > -kSlack && std::isfinite(multiplier);
     found.least -= multiplier * planes_[triple.planes[k]].offset;
   }
+  found.is_likely = found.is_likely && std::isfinite(found.least);
   if (!found.is_likely) found.least = 0.0;
   return found;
 }
