@@ -17,8 +17,8 @@ namespace {
 
 using namespace tern_host;
 
-/// Where random cases are cut short, as under sanitizers, swarms fly for their first seconds. The command line's tests fly
-/// small ones to their ends everywhere.
+/// Where random cases are cut short, as under sanitizers, swarms fly for their first seconds. The command line's tests
+/// fly small ones to their ends everywhere.
 constexpr bool kToTheEnd = TERN_TEST_SCALE >= 1;
 
 SwarmWorld world_of(const char* name) {

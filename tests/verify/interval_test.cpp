@@ -97,10 +97,10 @@ TEST(Intervals, HoldAllNumbersWhereNothingIsKnown) {
   const double most = std::numeric_limits<double>::max();
   const Interval all = Interval(0.0) / Interval(0.0);
   const Interval positive = positive_part(all);
-  for (const Interval& interval : {Interval(most) * Interval(most) - Interval(most) * Interval(most),
-                                   Interval(1.0) / (Interval(Rational(1) / 3) - Interval(Rational(1) / 3)),
-                                   Interval(Rational(Integer(1) << 2000)), positive * positive,
-                                   positive / (Interval(1.0) + positive), all * Interval::between(0.0, 1.0)}) {
+  for (const Interval& interval :
+       {Interval(most) * Interval(most) - Interval(most) * Interval(most),
+        Interval(1.0) / (Interval(Rational(1) / 3) - Interval(Rational(1) / 3)), Interval(Rational(Integer(1) << 2000)),
+        positive * positive, positive / (Interval(1.0) + positive), all * Interval::between(0.0, 1.0)}) {
     EXPECT_EQ(interval.low(), -std::numeric_limits<double>::infinity());
     EXPECT_EQ(interval.high(), std::numeric_limits<double>::infinity());
   }

@@ -110,8 +110,7 @@ bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const 
   const Commitment& latest = flight.plans.latest();
   const bool may_begin = phase == LookoutPhase::kIdle && left > 0 && flight.time >= not_before &&
                          (!flight.itinerary.is_reached_by(latest) || looks_for_ground(flight)) &&
-                         !flight.itinerary.dwells_after(latest) &&
-                         !flight.itinerary.is_right_before(flight);
+                         !flight.itinerary.dwells_after(latest) && !flight.itinerary.is_right_before(flight);
   if (!may_begin || flight.map.busy() || !flight.map.safe().inflated() || !flight.map.route().inflated()) return false;
   if (turned_away || wanders(flight)) return true;
   const Sample now = flight.plans.sample_at(flight.time);

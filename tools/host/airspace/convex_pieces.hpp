@@ -18,8 +18,8 @@ constexpr double kStep = 1.0 / 1048576.0;
 /// The largest coordinate of a corner, in steps: 32 km.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 35;
 /// Corners of all outlines together, besides those of hulls of others (Outline::is_hull). Every two edges that share a
-/// level are looked at once. The work grows with the corners, with the places where edges meet, and, for each level edge, with the
-/// edges to its right at that level.
+/// level are looked at once. The work grows with the corners, with the places where edges meet, and, for each level
+/// edge, with the edges to its right at that level.
 constexpr std::size_t kMostCorners = 20000;
 /// Sides of a piece; one with more is cut.
 constexpr std::size_t kMostSides = 40;

@@ -140,8 +140,7 @@ Arrangement arrange(const std::vector<Outline>& outlines) {
   for (const Edge& edge : found.edges) {
     for (const Corner& end : {edge.low, edge.high}) found.events.push_back({{Wide(end.y), Wide(1)}, &edge});
   }
-  std::sort(found.events.begin(), found.events.end(),
-            [](const Event& a, const Event& b) { return a.level < b.level; });
+  std::sort(found.events.begin(), found.events.end(), [](const Event& a, const Event& b) { return a.level < b.level; });
   return found;
 }
 
