@@ -17,37 +17,23 @@ namespace {
 
 using namespace tern_host;
 
-/// Where random cases are cut short, as under sanitizers, swarms fly for their first seconds. The command line's tests
-/// fly small ones to their ends everywhere.
-constexpr bool kToTheEnd = TERN_TEST_SCALE >= 1;
-
-SwarmWorld world_of(const char* name) {
-  SwarmWorld world = swarm_world(name);
-  if (!kToTheEnd) world.time_limit = 3.0;
-  return world;
-}
-
 SwarmResult fly(const char* name, const SwarmSettings& settings) {
-  const SwarmResult result = fly_swarm(world_of(name), settings);
+  const SwarmWorld world = swarm_world(name);
+  const SwarmResult result = fly_swarm(world, settings);
   EXPECT_EQ(result.disagreed, 0u);
   return result;
 }
 
-bool all_arrived(const SwarmResult& result) {
-  return !kToTheEnd || result.arrived() == static_cast<int>(result.members.size());
-}
-
 TEST(Swarm, SwapsPlaces) {
   const SwarmResult result = fly("swap-6:1", {});
-  EXPECT_EQ(result.members.size(), 6u);
-  EXPECT_TRUE(all_arrived(result));
+  EXPECT_EQ(result.arrived(), 6);
   EXPECT_TRUE(result.contacts.empty());
   EXPECT_GE(result.least_distance, 0.6);
   EXPECT_LT(result.mean_travel(), 12.0);
   EXPECT_EQ(result.lost, 0u);
   for (const SwarmMember& member : result.members) {
     EXPECT_EQ(member.unasked, 0u);
-    EXPECT_GT(member.length, kToTheEnd ? 15.9 : 0.0);
+    EXPECT_GT(member.length, 15.9);
   }
 }
 
@@ -57,7 +43,7 @@ TEST(Swarm, FliesTheSameAgain) {
   settings.links.delay_max = 0.1;
   settings.clock_error = 0.01;
   SwarmWorld world = swarm_world("swap-4:1");
-  world.time_limit = kToTheEnd ? 4.0 : 1.5;
+  world.time_limit = 4.0;
   const SwarmResult once = fly_swarm(world, settings);
   EXPECT_EQ(once.hash, fly_swarm(world, settings).hash);
   settings.threads = 3;
@@ -74,13 +60,13 @@ TEST(Swarm, NobodyTouchesAnybodyOverBadLinks) {
   settings.links.burst = 4.0;
   settings.links.delay_max = 0.3;
   settings.links.repeated = 0.2;
-  settings.links.partition = kToTheEnd ? Partition{3.0, 5.0} : Partition{1.0, 2.0};
+  settings.links.partition = {3.0, 5.0};
   settings.clock_error = 0.02;
   for (int run = 0; run < tern_test::scaled(3); ++run) {
     settings.seed = 40 + static_cast<std::uint64_t>(run);
     const SwarmResult result = fly("swap-5:1", settings);
     EXPECT_TRUE(result.contacts.empty()) << run;
-    EXPECT_TRUE(all_arrived(result)) << run;
+    EXPECT_EQ(result.arrived(), 5) << run;
   }
 }
 
@@ -90,7 +76,7 @@ TEST(Swarm, ArrivesWhereMostIsLost) {
   settings.links.loss = 0.9;
   settings.links.delay_max = 0.1;
   const SwarmResult result = fly("swap-4:1", settings);
-  EXPECT_TRUE(all_arrived(result));
+  EXPECT_EQ(result.arrived(), 4);
   EXPECT_TRUE(result.contacts.empty());
 }
 
@@ -104,7 +90,7 @@ TEST(Swarm, NobodyTouchesAnybodyWhereMembersBeginAnew) {
     settings.seed = 70 + static_cast<std::uint64_t>(run);
     const SwarmResult result = fly("swap-5:1", settings);
     EXPECT_TRUE(result.contacts.empty()) << run;
-    EXPECT_TRUE(all_arrived(result)) << run;
+    EXPECT_EQ(result.arrived(), 5) << run;
   }
 }
 
@@ -112,10 +98,10 @@ TEST(Swarm, NobodyTouchesAnybodyWhereMembersBeginAnew) {
 TEST(Swarm, DiscoversWhatStandsStill) {
   SwarmSettings settings;
   settings.discover = 4.0;
-  const SwarmWorld world = world_of("T10-3:1");
+  const SwarmWorld world = swarm_world("T10-3:1");
   SwarmRecord record;
   const SwarmResult result = fly_swarm(world, settings, nullptr, &record);
-  EXPECT_TRUE(all_arrived(result));
+  EXPECT_EQ(result.arrived(), 3);
   EXPECT_TRUE(result.contacts.empty());
   EXPECT_GE(result.least_clearance, world.body_radius);
   EXPECT_EQ(replay_swarm(read_swarm_record(write_swarm_record(record))), "");
@@ -125,7 +111,7 @@ TEST(Swarm, DiscoversWhatStandsStill) {
 TEST(Swarm, PassesGapsAndMazes) {
   for (const char* name : {"gap-6:1", "T10S-4:1", "T10D-4:1"}) {
     const SwarmResult result = fly(name, {});
-    EXPECT_TRUE(all_arrived(result)) << name;
+    EXPECT_EQ(result.arrived(), static_cast<int>(result.members.size())) << name;
     EXPECT_TRUE(result.contacts.empty()) << name;
   }
 }

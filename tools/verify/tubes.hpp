@@ -176,7 +176,7 @@ class Search {
  private:
   /// Halvings after which a piece counts with what is proven of it.
   static constexpr int kHalvings = 40;
-  /// Intervals as wide as the room that they are to tell could be halved for ever.
+  /// Pieces that intervals look at. Where an interval is about as wide as the room, halving does not make it tell more.
   static constexpr int kPieces = 10000;
 
   struct Piece {
