@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "attack/emptiness.hpp"
 
@@ -184,9 +185,11 @@ namespace {
 
 /// Part of the cases whose request is asked again with vias.
 constexpr double kMissions = 0.3;
-/// Part of the cases that make one more world, with a boundary or a keep-in thinner than a voxel.
+/// Part of the cases whose request is asked again among things that move.
 constexpr double kAmongThings = 0.2;
+/// Part of the cases that make one more world, with a boundary or a keep-in thinner than a voxel.
 constexpr double kFlat = 0.25;
+constexpr int kDrawsOfThings = 4;
 
 /// The same request through vias. `own`: what is left of the case draws nothing from it.
 void run_mission(Context& context, Rng& own, tern::Planner& planner, const World& world, const Map& map,
@@ -195,6 +198,16 @@ void run_mission(Context& context, Rng& own, tern::Planner& planner, const World
   make_mission(own, world, map, ask, mission);
   const Status status = ask_once(context, planner, world, map, mission, "mission");
   if (own.chance(0.1)) compare_slices(context, world, mission, status);
+}
+
+/// Nothing but the same request, again and again among other things that move. `status`: of the plan that is there.
+void run_among_things(Context& context, tern::Planner& planner, const World& world, const Ask& ask, Status status) {
+  Rng own = side_stream(context.rng);
+  const auto alone = std::make_unique<tern::Trajectory>(context.bench.trajectory);
+  for (int k = 0; k < kDrawsOfThings; ++k) {
+    context.bench.trajectory = *alone;
+    attack_tracks(context, own, planner, world, ask, status);
+  }
 }
 
 void run_plans(Context& context) {
@@ -209,6 +222,7 @@ void run_plans(Context& context) {
   make_request(context.rng, context.family, world, map, ask);
   tern::Planner planner(&context.bench.kept_memory, sizeof(tern::Workspace));
   const Status status = ask_once(context, planner, world, map, ask, "plan");
+  if (context.bench.things) return run_among_things(context, planner, world, ask, status);
   const bool slices = context.rng.chance(0.12);
   const bool kept = context.rng.chance(0.08);
   const bool again = context.rng.chance(0.4);
@@ -236,7 +250,7 @@ void run_case(Bench& bench, std::uint64_t seed, std::uint64_t number, bool verbo
   const Family family = family_of(number);
   Context context{bench, rng, family, tallies[static_cast<int>(family)], findings, verbose};
   ++context.tally.cases;
-  if (family == Family::kChanges) {
+  if (family == Family::kChanges && !bench.things) {
     run_changes(context);
   } else {
     run_plans(context);

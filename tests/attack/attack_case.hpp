@@ -35,6 +35,7 @@ struct Bench {
   /// Where not null: obstacles that are not among these runs are left out of a case's first world.
   const std::vector<SolidRun>* only = nullptr;
   std::vector<SolidRun>* write = nullptr;  ///< where not null: gets that world's obstacles
+  bool things = false;                     ///< every request is asked among things that move, four times, and no more
 };
 
 struct Context {

@@ -43,7 +43,7 @@ Point shift_of(const World& world, const tern::Trajectory& trajectory) {
 void check_obstacles(const World& world, const tern::Trajectory& trajectory, Findings& findings) {
   const Point shift = shift_of(world, trajectory);
   for (int s = 0; s < trajectory.count; ++s) {
-    const Curve curve = curve_of(trajectory.segments[s], shift);
+    const Curve curve = curve_of(trajectory.segments[s].points, shift);
     const Real least = world.radius() - 2 * contact_slack(world);
     const Clearance found = clearance(world, curve, least);
     if (found.proof == Proof::kProven) continue;
@@ -57,7 +57,7 @@ void check_obstacles(const World& world, const tern::Trajectory& trajectory, Fin
 void check_boundary(const World& world, const tern::Trajectory& trajectory, Findings& findings) {
   const Point shift = shift_of(world, trajectory);
   for (int s = 0; s < trajectory.count; ++s) {
-    const Curve curve = curve_of(trajectory.segments[s], shift);
+    const Curve curve = curve_of(trajectory.segments[s].points, shift);
     const Real slack = contact_slack(world);
     const auto inside = [&](const Point& p) {
       for (int a = 0; a < 3; ++a) {
@@ -70,7 +70,7 @@ void check_boundary(const World& world, const tern::Trajectory& trajectory, Find
     };
     const Verdict verdict = prove(curve, inside);
     if (verdict.proof == Proof::kProven) continue;
-    const Point p = value(curve_of(trajectory.segments[s], shift), verdict.where);
+    const Point p = value(curve_of(trajectory.segments[s].points, shift), verdict.where);
     report(findings, verdict.proof == Proof::kBroken ? "boundary" : "boundary_unproven",
            "segment %d u %.17Lg at (%.17Lg, %.17Lg, %.17Lg) local", s, verdict.where, p[0], p[1], p[2]);
     return;
@@ -86,7 +86,7 @@ void check_fence(const World& world, const tern::Fence& fence, int number, const
   const std::vector<Plane> planes = planes_of(world, fence);
   const Solid solid(world, fence);
   for (int s = 0; s < trajectory.count; ++s) {
-    const Curve curve = curve_of(trajectory.segments[s], shift);
+    const Curve curve = curve_of(trajectory.segments[s].points, shift);
     const Real spacing = 16 * kUlp * (magnitude(curve) + largest(point(world.spec.origin)));
     const auto inside = [&](const Point& p) {
       for (const Plane& plane : planes) {

@@ -4,9 +4,9 @@
 
 namespace tern_attack {
 
-Curve curve_of(const tern::Segment& segment, const Point& shift) {
+Curve curve_of(const tern::Vec3* points, const Point& shift) {
   Curve curve{tern::kDegree, {}, 0, 1};
-  for (int i = 0; i <= tern::kDegree; ++i) curve.p[i] = point(segment.points[i]) + shift;
+  for (int i = 0; i <= tern::kDegree; ++i) curve.p[i] = point(points[i]) + shift;
   return curve;
 }
 
@@ -47,6 +47,12 @@ Point value(const Curve& curve, Real u) {
 Real magnitude(const Curve& curve) {
   Real most = 0;
   for (int i = 0; i <= curve.degree; ++i) most = std::max(most, largest(curve.p[i]));
+  return most;
+}
+
+Real longest(const Curve& curve) {
+  Real most = 0;
+  for (int i = 0; i <= curve.degree; ++i) most = std::max(most, length(curve.p[i]));
   return most;
 }
 

@@ -20,8 +20,8 @@ struct Curve {
   const Point& last() const { return p[degree]; }
 };
 
-/// A segment moved by `shift`.
-Curve curve_of(const tern::Segment& segment, const Point& shift);
+/// The curve of a segment's or a track's control points, moved by `shift`.
+Curve curve_of(const tern::Vec3* points, const Point& shift = {});
 Curve line(const Point& from, const Point& to);
 /// Derivative with respect to time of a curve that lasts `duration`.
 Curve derivative(const Curve& curve, Real duration);
@@ -29,14 +29,9 @@ Curve derivative(const Curve& curve, Real duration);
 void split(const Curve& curve, Curve& left, Curve& right);
 /// The value at u within [0, 1] of the piece.
 Point value(const Curve& curve, Real u);
-/// Largest coordinate of all coefficients.
+/// Largest coordinate, and largest length, of all coefficients.
 Real magnitude(const Curve& curve);
-
-enum class Proof {
-  kProven,
-  kBroken,    ///< some point of the curve breaks the rule
-  kUnproven,  ///< neither after many halvings
-};
+Real longest(const Curve& curve);
 
 struct Verdict {
   Proof proof;

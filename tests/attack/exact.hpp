@@ -63,6 +63,13 @@ inline Real largest(const Point& a) {
   return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])});
 }
 
+/// What halving a curve, or a time, comes to.
+enum class Proof {
+  kProven,
+  kBroken,    ///< some point breaks the rule
+  kUnproven,  ///< neither after many halvings
+};
+
 }  // namespace tern_attack
 
 #endif

@@ -10,79 +10,83 @@
 #include <cmath>
 #include <vector>
 
-#include "attack/exact.hpp"
+#include "attack/curve.hpp"
 
 namespace tern_attack {
 
-inline Point bezier(const tern::Vec3* points, Real u) {
-  constexpr Real kBinomial[] = {1, 7, 21, 35, 35, 21, 7, 1};
-  Point sum = point({0.0, 0.0, 0.0});
-  for (int i = 0; i < tern::kControlPoints; ++i) {
-    const Real weight = kBinomial[i] * std::pow(u, static_cast<Real>(i)) * std::pow(1 - u, static_cast<Real>(7 - i));
-    for (int a = 0; a < 3; ++a) sum[a] += weight * axis(points[i], a);
-  }
-  return sum;
-}
+/// Curves one after another; past its end the chain rests there. Times are seconds since its beginning.
+template <class Piece>
+struct Chain {
+  const Piece* pieces;
+  int count;
 
-/// The most that control points allow, m/s.
-inline Real fastest(const tern::Vec3* points, Real duration) {
-  Real most = 0;
-  for (int i = 0; i < tern::kDegree; ++i) {
-    const Point step = point(points[i + 1]) - point(points[i]);
-    most = std::max(most, std::sqrt(dot(step, step)));
+  Point place(Real t) const {
+    const int i = reach(t);
+    return i < count ? value(curve_of(pieces[i].points), std::max<Real>(0, t / pieces[i].duration))
+                     : point(pieces[count - 1].points[tern::kDegree]);
   }
-  return tern::kDegree * most / duration;
-}
 
-inline Real fastest(const tern::Trajectory& plan) {
-  Real most = 0;
-  for (int s = 0; s < plan.count; ++s) {
-    most = std::max(most, fastest(plan.segments[s].points, plan.segments[s].duration));
+  Point velocity(Real t) const {
+    const int i = reach(t);
+    if (i == count) return Point{};
+    return value(derivative(curve_of(pieces[i].points), pieces[i].duration), std::max<Real>(0, t / pieces[i].duration));
   }
-  return most;
-}
 
-/// On a chain of curves, past its end at rest there.
-template <class PieceAt>
-Point on_chain(int count, const PieceAt& piece_at, Real t) {
-  for (int i = 0; i < count; ++i) {
-    const auto& piece = piece_at(i);
-    if (t < piece.duration) return bezier(piece.points, std::max<Real>(0, t / piece.duration));
-    t -= piece.duration;
+  /// The most that control points allow between two times of the first derivative, or of the second.
+  Real most(int order, Real from, Real to) const {
+    Real most = 0;
+    for (int i = 0; i < count && to >= 0; ++i) {
+      const Real lasts = pieces[i].duration;
+      if (from <= lasts) {
+        const Curve first = derivative(curve_of(pieces[i].points), lasts);
+        most = std::max(most, longest(order == 1 ? first : derivative(first, lasts)));
+      }
+      from -= lasts;
+      to -= lasts;
+    }
+    return most;
   }
-  return point(piece_at(count - 1).points[tern::kDegree]);
-}
 
-/// In the plan's frame, `t` seconds after its beginning.
-inline Point place_at(const tern::Trajectory& plan, Real t) {
-  const auto segment_at = [&](int i) -> const tern::Segment& { return plan.segments[i]; };
-  return on_chain(plan.count, segment_at, t);
+  bool lasts_until(Real t) const { return reach(t) < count; }
+
+ private:
+  /// The piece at `t`, which gets the seconds since it began.
+  int reach(Real& t) const {
+    int i = 0;
+    for (; i < count && t >= pieces[i].duration; ++i) t -= pieces[i].duration;
+    return i;
+  }
+};
+
+inline Chain<tern::Segment> chain_of(const tern::Trajectory& plan) {
+  return {plan.segments, plan.count};
 }
 
 struct Interval {
   Real begin, end;
 };
 
-/// False if `room_at` is below `least` at some time of the interval, which `when` gets. Pieces are halved, but not
-/// those of which `is_sure(piece, half its length, room in its middle)` says that no time of them can be such a one.
+/// Broken if `room_at` is below `least` at some time of the interval, which `when` gets. Pieces are halved, but not
+/// those of which `is_sure(piece, room in its middle)` says that no time of them can be such a one,
+/// and not below 0.2 microseconds. Unproven if too many pieces are left; `when` is among them.
 template <class RoomAt, class IsSure>
-bool stays_above(Real least, const Interval& whole, const RoomAt& room_at, const IsSure& is_sure, Real& when) {
-  constexpr int kMostPieces = 20000;
-  constexpr Real kShortest = 1e-7L;
+Proof stays_above(Real least, const Interval& whole, const RoomAt& room_at, const IsSure& is_sure, Real& when) {
+  constexpr int kMostPieces = 100000;
+  constexpr Real kShortest = 2e-7L;
   std::vector<Interval> open{whole};
-  for (int pieces = 0; !open.empty() && pieces < kMostPieces; ++pieces) {
+  for (int pieces = 0; !open.empty(); ++pieces) {
     const Interval piece = open.back();
     open.pop_back();
-    const Real half = (piece.end - piece.begin) / 2;
     const Real middle = (piece.begin + piece.end) / 2;
     const Real room = room_at(middle);
     when = middle;
-    if (room < least) return false;
-    if (half < kShortest || is_sure(piece, half, room)) continue;
+    if (room < least) return Proof::kBroken;
+    if (pieces >= kMostPieces) return Proof::kUnproven;
+    if (piece.end - piece.begin < kShortest || is_sure(piece, room)) continue;
     open.push_back({middle, piece.end});
     open.push_back({piece.begin, middle});
   }
-  return true;
+  return Proof::kProven;
 }
 
 }  // namespace tern_attack

@@ -36,6 +36,7 @@ int run_one(const tern_attack::Options& options, const OneCase& one) {
     bench->only = &only;
   }
   bench->write = &obstacles;
+  bench->things = options.things;
   const std::uint64_t number = one.number;
   tern_attack::Tallies tallies{};
   tern_attack::Findings findings;
@@ -66,6 +67,8 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--cases", options.cases, "How many cases to run")->capture_default_str();
   app.add_option("--share", a.share, "Part of the cases to run, 0 < share <= 1");
   app.add_option("--family", a.family, "Only cases of this family");
+  app.add_flag("--things", options.things,
+               "Every request is asked four times among things that move, and nothing else is done");
   app.add_option("--jobs", options.jobs, "Processes at a time; 0: one a core")->capture_default_str();
   app.add_option("--folder", options.folder, "Where state and tables go; without it a run cannot be resumed");
   app.add_option("--seconds-a-case", options.seconds_a_case, "A case that takes longer is a violation")

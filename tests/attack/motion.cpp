@@ -60,7 +60,7 @@ struct Jet {
 
 Jet jet(const tern::Segment& segment, Real u) {
   Jet result{};
-  Curve curve = curve_of(segment, {{0, 0, 0}});
+  Curve curve = curve_of(segment.points);
   for (Point& d : result.d) {
     d = value(curve, u);
     curve = derivative(curve, segment.duration);
@@ -82,7 +82,7 @@ void check_limits(const tern::Request& request, const tern::Trajectory& trajecto
   const std::size_t before = findings.size();
   for (int s = 0; s < trajectory.count && findings.size() == before; ++s) {
     const tern::Segment& segment = trajectory.segments[s];
-    const Curve velocity = derivative(curve_of(segment, {{0, 0, 0}}), segment.duration);
+    const Curve velocity = derivative(curve_of(segment.points), segment.duration);
     const Curve acceleration = derivative(velocity, segment.duration);
     const Real v = kLimitUlps * rounding(segment, 1);
     const Real a = kLimitUlps * rounding(segment, 2);
@@ -219,7 +219,7 @@ void check_sample(const World& world, const tern::Trajectory& trajectory, double
   const tern::Sample sample = tern::evaluate(trajectory, t);
   const Point said[] = {point(sample.position) - point(trajectory.origin), point(sample.velocity),
                         point(sample.acceleration), point(sample.jerk), point(sample.snap)};
-  Curve curve = curve_of(segment, {{0, 0, 0}});
+  Curve curve = curve_of(segment.points);
   const Real late = 16 * kUlp * (t + segment.duration);
   for (int k = 0; k < 5; ++k) {
     const Curve next = derivative(curve, segment.duration);

@@ -48,6 +48,7 @@ std::uint64_t block_end(const Options& o, std::uint64_t block) {
 
 /// The child: all cases from `from` to the block's end, a line a violation, "done" at the end.
 [[noreturn]] void work(const Options& options, std::uint64_t from, std::uint64_t end, Slot& slot, int out) {
+  bench().things = options.things;
   for (std::uint64_t i = from; i < end; ++i) {
     slot.next = i;
     Findings findings;
@@ -233,7 +234,7 @@ void add(const Tallies& part, Tallies& sum) {
 
 std::string violation_line(const Options& options, const Violation& v) {
   return "violation " + v.kind + " " + family_name(family_of(v.number)) + " --seed " + std::to_string(options.seed) +
-         " --case " + std::to_string(v.number) + ": " + v.detail;
+         " --case " + std::to_string(v.number) + (options.things ? " --things: " : ": ") + v.detail;
 }
 
 void run_all(const Options& options, Progress& progress) {

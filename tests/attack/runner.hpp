@@ -21,8 +21,9 @@ struct Options {
   std::uint64_t seed = 1;
   std::uint64_t first = 0;  ///< index of the first case
   std::uint64_t cases = 4000;
-  int family = -1;  ///< -1: all in turn
-  int jobs = 0;     ///< 0: one a core
+  int family = -1;      ///< -1: all in turn
+  bool things = false;  ///< plans among things that move alone
+  int jobs = 0;         ///< 0: one a core
   double seconds_a_case = 60.0;
   bool quiet = false;                                   ///< no progress line
   std::string folder;                                   ///< for state and tables; empty: none are kept

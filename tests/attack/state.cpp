@@ -70,7 +70,7 @@ void load_line(const std::string& line, std::size_t& family, Progress& progress)
 std::string state_path(const Options& o) {
   const std::string family = o.family < 0 ? "" : std::string("-") + family_name(static_cast<Family>(o.family));
   const std::string first = o.first == 0 ? "" : "-from" + std::to_string(o.first);
-  return o.folder + "/seed" + std::to_string(o.seed) + family + first;
+  return o.folder + "/seed" + std::to_string(o.seed) + (o.things ? "-things" : "") + family + first;
 }
 
 void save_state(const Options& options, const Progress& progress) {

@@ -99,7 +99,7 @@ void check_vehicle(const tern::Request& request, const tern::Trajectory& traject
   const std::size_t before = findings.size();
   for (int s = 0; s < trajectory.count && findings.size() == before; ++s) {
     const tern::Segment& segment = trajectory.segments[s];
-    const Curve velocity = derivative(curve_of(segment, {{0, 0, 0}}), segment.duration);
+    const Curve velocity = derivative(curve_of(segment.points), segment.duration);
     const Curve acceleration = derivative(velocity, segment.duration);
     const Real slack = kLimitUlps * rounding(segment, 2);
     const Verdict verdict =
