@@ -58,14 +58,13 @@ std::int32_t Fleet::write(std::uint8_t* packet, std::int32_t room) noexcept {
   if (fleet == nullptr || packet == nullptr || room < kLeastPacketBytes) return 0;
   if (is_by_range(*fleet) && room < kFleetBeaconRoom) return 0;
   Cursor& cursor = fleet->cursor;
-  const bool is_alone = is_by_range(*fleet) && fleet->peer_count == 0;
-  if (fleet->has_changed && !is_alone) write_own_state(*fleet);
+  if (fleet->has_changed) write_own_state(*fleet);
   const std::uint16_t id = fleet->spec.id;
   if (is_by_range(*fleet) && !cursor.has_beacon) {
     cursor.has_beacon = true;
     return write_beacon(*fleet, packet, room);
   }
-  if (!is_alone && cursor.state_part < parts_of(fleet->state_size)) {
+  if (cursor.state_part < parts_of(fleet->state_size)) {
     return write_packet(fleet->state, fleet->state_size, fleet->state_crc, id, packet, room, cursor.state_part);
   }
   for (; cursor.plan < 2; next(cursor)) {
