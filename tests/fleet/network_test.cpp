@@ -160,11 +160,13 @@ TEST(FleetNetwork, ByRangeWithRestarts) {
 }
 
 TEST(FleetNetwork, ByRangeWithLittleWork) {
-  SwarmSpec spec;
-  spec.by_range = true;
-  spec.work = 10;
-  spec.link.loss = 0.1;
-  expect_apart("by range, 10 units a tick", spec, 1);
+  for (const std::uint32_t work : {10u, 5u}) {
+    SwarmSpec spec;
+    spec.by_range = true;
+    spec.work = work;
+    spec.link.loss = 0.1;
+    expect_apart(("by range, units a tick: " + std::to_string(work)).c_str(), spec, work > 5 ? 1 : 0);
+  }
 }
 
 TEST(FleetNetwork, ByRangeTheFirstOneLeaves) {

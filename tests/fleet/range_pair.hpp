@@ -12,6 +12,7 @@
 
 #include "fleet/beacons.hpp"
 #include "fleet/plans.hpp"
+#include "fleet/slices.hpp"
 #include "tern/fleet.hpp"
 
 namespace tern_test {
@@ -30,6 +31,13 @@ inline std::vector<std::uint8_t> beacon_of(std::uint16_t id, const tern::Vec3& p
   return packet;
 }
 
+/// Gives a packet with a whole message the right checksum.
+inline void sign(std::vector<std::uint8_t>& packet) {
+  const auto size = static_cast<std::int32_t>(packet.size()) - tern::kPacketHeadBytes;
+  const std::uint32_t crc = tern::crc32(packet.data() + tern::kPacketHeadBytes, size);
+  for (int k = 0; k < 4; ++k) packet[3 + k] = static_cast<std::uint8_t>(crc >> (8 * k));
+}
+
 /// Vehicles 1 and 2 at rest, which hear each other as often as the test says.
 class FleetRangePair : public testing::Test {
  protected:
@@ -42,6 +50,7 @@ class FleetRangePair : public testing::Test {
     tern::FleetSpec spec;
     spec.id = static_cast<std::uint16_t>(v + 1);
     spec.incarnation = incarnation_;
+    spec.priority = priorities_[v];
     spec.radius = 0.5;
     spec.clock_error = clock_error_;
     spec.tick = kSecond / 10;
@@ -83,12 +92,16 @@ class FleetRangePair : public testing::Test {
       }
     }
   }
-  /// Two metres aside, in 4 s, a second ahead.
+  /// Announces a straight plan, a second ahead.
+  void fly(int v, const tern::Vec3& from, const tern::Vec3& to, double seconds) {
+    const std::int64_t takeover = now_ + kSecond;
+    ASSERT_EQ(fleet(v).announce(straight(from, to, takeover, seconds), takeover, now_), tern::Status::kOk);
+    advance(v);
+  }
+  /// Two metres aside, in 4 s.
   void announce(int v) {
     const tern::Vec3 from = place(v, apart_);
-    const tern::Trajectory plan = straight(from, {from.x, from.y + 2.0, from.z}, now_ + kSecond, 4.0);
-    ASSERT_EQ(fleet(v).announce(plan, now_ + kSecond, now_), tern::Status::kOk);
-    advance(v);
+    fly(v, from, {from.x, from.y + 2.0, from.z}, 4.0);
   }
   void expect_dropped(int v, tern::FleetBlock why, std::uint16_t by) {
     EXPECT_EQ(fleet(v).report().announcement, tern::Announcement::kDropped);
@@ -101,6 +114,7 @@ class FleetRangePair : public testing::Test {
   std::int64_t lease_ = 8 * kSecond;
   std::int64_t clock_error_ = 0;
   std::uint32_t incarnation_ = 1;
+  std::uint8_t priorities_[2] = {};
   tern::Heard last_ = tern::Heard::kNews;
   std::unique_ptr<tern::Fleet> fleets_[2] = {std::make_unique<tern::Fleet>(), std::make_unique<tern::Fleet>()};
 };

@@ -19,13 +19,6 @@ using tern::FleetBlock;
 using tern::Heard;
 using tern::Status;
 
-/// Gives a packet with a whole message the right checksum.
-void sign(std::vector<std::uint8_t>& packet) {
-  const auto size = static_cast<std::int32_t>(packet.size()) - tern::kPacketHeadBytes;
-  const std::uint32_t crc = tern::crc32(packet.data() + tern::kPacketHeadBytes, size);
-  for (int k = 0; k < 4; ++k) packet[3 + k] = static_cast<std::uint8_t>(crc >> (8 * k));
-}
-
 /// Changes until when a state promises something, which must be all in one packet.
 void forge_until(std::vector<std::uint8_t>& packet, std::int64_t until) {
   constexpr int kUntil = tern::kPacketHeadBytes + 31;
@@ -111,8 +104,7 @@ TEST_F(FleetRangePair, WhatAMemberTookOverUnaskedIsProvenBeforeItsPromiseCounts)
   const std::int64_t takeover = now_ + kSecond;
   ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {16.9, 0, 1}, takeover, 8.0), takeover, now_), Status::kOk);
   for (int k = 0; k < 1000 && tern::memory_of(fleet(0))->job.peer == 0; ++k) {
-    tern::Work little = tern::Work(1).within(1);
-    fleet(0).advance(now_, little);
+    advance_a_piece(fleet(0), now_);
   }
   ASSERT_EQ(fleet(0).report().announcement, Announcement::kProving);
   ASSERT_EQ(tern::memory_of(fleet(0))->job.peer, 1) << "the proof about 2 is over";
@@ -191,6 +183,27 @@ TEST_F(FleetRangePair, PromisesEndAndOutliveABeginning) {
   EXPECT_EQ(fleet(1).neighbours(), 0);
 }
 
+// 2, which has the right of way, did not hear 1 for so long that it has no members any more. For 1, it still is in
+// range.
+TEST_F(FleetRangePair, WhoHasNoMembersAnyMoreSaysSo) {
+  priorities_[1] = 1;
+  begin(19.0);
+  go_on(2.0);
+  fly(0, {0, 0, 1}, {-3, 0, 1}, 4.0);
+  go_on(6.0);
+  for (int k = 0; k < 100; ++k) {
+    now_ += kSecond / 10;
+    for (const int v : {0, 1}) advance(v);
+    say(1);
+  }
+  go_on(10.0);
+  ASSERT_EQ(fleet(1).neighbours(), 0);
+  ASSERT_EQ(fleet(0).neighbours(), 1);
+  fly(0, {-3, 0, 1}, {-4, 0, 1}, 1.0);
+  go_on(1.5);
+  EXPECT_EQ(fleet(0).report().announcement, Announcement::kTaken);
+}
+
 TEST_F(FleetRangePair, ListsAndRangesDoNotMix) {
   begin(15.0);
   EXPECT_EQ(fleet(0).add(2, now_), Status::kInvalidArgument);
@@ -204,45 +217,6 @@ TEST_F(FleetRangePair, ListsAndRangesDoNotMix) {
   EXPECT_FALSE(fleet(1).neighbour(0).ready);
 }
 
-TEST_F(FleetRangePair, BeaconsThatAreOldDamagedOrAhead) {
-  begin(100.0);
-  advance(1);
-  std::uint8_t packet[tern::kFleetBeaconRoom];
-  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom - 1), 0) << "nothing is said without the beacon";
-  const std::int32_t size = fleet(1).write(packet, tern::kFleetBeaconRoom);
-  ASSERT_EQ(size, 48);
-  EXPECT_EQ(fleet(0).receive(packet, size, now_ - 1), Heard::kClockAhead);
-  EXPECT_EQ(fleet(0).receive(packet, size - 1, now_), Heard::kDamaged);
-  EXPECT_EQ(fleet(0).receive(packet, size, now_ + 2 * kSecond), Heard::kOld) << "it tells nothing any more";
-  EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kNews);
-  EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kOld);
-  packet[20] ^= 1;
-  EXPECT_EQ(fleet(0).receive(packet, size, now_), Heard::kDamaged);
-}
-
-TEST_F(FleetRangePair, BeaconsThatAreNone) {
-  begin(100.0);
-  advance(1);
-  const std::vector<std::uint8_t> packet = round(1)[0];
-  for (const int at : {7, 9, tern::kPacketHeadBytes}) {  // the message's size, this packet's part, the message's kind
-    std::vector<std::uint8_t> forged = packet;
-    ++forged[static_cast<std::size_t>(at)];
-    if (at == tern::kPacketHeadBytes) sign(forged);
-    hear(0, {forged});
-    EXPECT_EQ(last_, Heard::kDamaged) << at;
-  }
-}
-
-TEST_F(FleetRangePair, NobodySpeaksOfMembersWithoutABeacon) {
-  begin(15.0);
-  go_on(2.0);
-  announce(1);
-  std::uint8_t packet[tern::kFleetBeaconRoom];
-  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom - 1), 0);
-  EXPECT_EQ(fleet(1).write(packet, tern::kFleetBeaconRoom), 48);
-  EXPECT_GT(fleet(1).write(packet, tern::kFleetBeaconRoom), 0);
-}
-
 TEST_F(FleetRangePair, AMemberOfAListIsNotPromisedAnythingByRange) {
   tern::FleetSpec by_list = spec(0);
   by_list.range = tern::FleetRange{};
@@ -251,25 +225,6 @@ TEST_F(FleetRangePair, AMemberOfAListIsNotPromisedAnythingByRange) {
   ++incarnation_;
   ASSERT_EQ(fleet(0).begin(spec(0), resting({}, 0), now_), Status::kOk);
   EXPECT_EQ(fleet(0).neighbours(), 0);
-}
-
-TEST_F(FleetRangePair, VehiclesThatWereLeftOutAreForgottenInTime) {
-  begin(100.0);
-  std::int64_t now = now_;
-  tern::FleetMemory& memory = *tern::memory_of(fleet(0));
-  advance(0);
-  // More vehicles than there is room for, all the time: first one that comes to 20 m, then all stay beyond 60 m.
-  double least = 0.0;
-  for (int turn = 0; turn < 40; ++turn, now += kSecond / 10) {
-    now_ = now;
-    advance(0);
-    for (int k = 0; k < tern::kMaxBeacons + 2; ++k) {
-      hear(0, {beacon_of(static_cast<std::uint16_t>(10 + k), {turn == 0 ? 20.0 : 60.0, 0, 1}, now)});
-    }
-    least = tern::gap_to_unkept(memory, now);
-    EXPECT_TRUE(turn > 10 || least < 20.0) << turn;
-  }
-  EXPECT_GT(least, 40.0);
 }
 
 TEST_F(FleetRangePair, RangesThatAreRefused) {

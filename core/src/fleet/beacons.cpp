@@ -5,7 +5,7 @@
 namespace tern {
 namespace {
 
-std::int32_t place_in(const Beacons& beacons, std::uint16_t id) {
+std::int32_t place_in(const Beacons& beacons, std::int32_t id) {
   std::int32_t low = 0;
   std::int32_t high = beacons.count;
   while (low < high) {
@@ -58,6 +58,11 @@ bool make_room(FleetMemory& fleet, const Beacon& next, std::int64_t now) {
   return worst >= 0;
 }
 
+/// A proof that went past this vehicle goes back to it.
+void prove_from(ProofJob& job, std::uint16_t id) {
+  if (id < job.heard) job.heard = id;
+}
+
 }  // namespace
 
 double seconds(std::int64_t time) noexcept {
@@ -67,6 +72,11 @@ double seconds(std::int64_t time) noexcept {
 Beacon* find_beacon(Beacons& beacons, std::uint16_t id) noexcept {
   const std::int32_t at = place_in(beacons, id);
   return at < beacons.count && beacons.of[at].id == id ? &beacons.of[at] : nullptr;
+}
+
+const Beacon* beacon_from(const Beacons& beacons, std::int32_t id) noexcept {
+  const std::int32_t at = place_in(beacons, id);
+  return at < beacons.count ? &beacons.of[at] : nullptr;
 }
 
 std::int32_t find_peer(const FleetMemory& fleet, std::uint16_t id) noexcept {
@@ -126,6 +136,7 @@ Heard hear_beacon(FleetMemory& fleet, const PacketHead& head, const std::uint8_t
   Beacons& beacons = fleet.beacons;
   if (Beacon* const known = find_beacon(beacons, beacon.id); known != nullptr) {
     if (beacon.stamp <= known->stamp) return Heard::kOld;
+    if (is_stale(fleet, *known, now)) prove_from(fleet.job, beacon.id);
     beacon.is_member = known->is_member;
     *known = beacon;
     return Heard::kNews;
@@ -135,6 +146,7 @@ Heard hear_beacon(FleetMemory& fleet, const PacketHead& head, const std::uint8_t
   for (std::int32_t k = beacons.count++; k > at; --k) beacons.of[k] = beacons.of[k - 1];
   beacon.is_member = find_peer(fleet, beacon.id) < fleet.peer_count;
   beacons.of[at] = beacon;
+  prove_from(fleet.job, beacon.id);
   return Heard::kNews;
 }
 

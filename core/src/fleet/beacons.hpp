@@ -57,6 +57,8 @@ inline double axis_distance(const Vec3& a, const Vec3& b) {
 double seconds(std::int64_t time) noexcept;
 /// Null if the table has none.
 Beacon* find_beacon(Beacons& beacons, std::uint16_t id) noexcept;
+/// The one with the least id from `id` on; null if there is none.
+const Beacon* beacon_from(const Beacons& beacons, std::int32_t id) noexcept;
 /// Its place in FleetMemory::peers; peer_count if it is no member.
 std::int32_t find_peer(const FleetMemory& fleet, std::uint16_t id) noexcept;
 /// How near a vehicle that the table had no room for was of late, at least, m.

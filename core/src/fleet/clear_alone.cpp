@@ -36,20 +36,14 @@ double reach_from(const Box& hull, const Vec3& place) {
   return larger(axis_distance(hull.lower, place), axis_distance(hull.upper, place));
 }
 
-/// A part of a plan, or all of it.
-struct Stretch {
-  Box hull;    ///< from the plan's origin
-  double end;  ///< s after the plan's beginning
-};
-
-bool is_clear_of(const FleetMemory& fleet, const Trajectory& plan, const Stretch& part, const Beacon& beacon) {
+bool is_clear_of(const FleetMemory& fleet, const Trajectory& plan, const PlanPart& part, const Beacon& beacon) {
   const double radii = fleet.spec.radius + 1e-3 * beacon.radius + kRounding;
   const double age = part.end - time_on(plan, beacon.stamp);
   return gap_between(part.hull, beacon.place - plan.origin) >= radii + strayed(fleet, age);
 }
 
 /// Of vehicles that were not heard, or that the table has no room for.
-bool is_clear_of_unheard(const FleetMemory& fleet, const Trajectory& plan, const Stretch& part, std::int64_t now) {
+bool is_clear_of_unheard(const FleetMemory& fleet, const Trajectory& plan, const PlanPart& part, std::int64_t now) {
   const FleetRange& range = fleet.spec.range;
   const Beacons& beacons = fleet.beacons;
   if (now - beacons.begun <= range.within) return false;
@@ -60,46 +54,54 @@ bool is_clear_of_unheard(const FleetMemory& fleet, const Trajectory& plan, const
 }
 
 /// It follows the rules of the right of way until the plan rests, as this vehicle does.
-bool is_trusted(const FleetMemory& fleet, const Trajectory& plan, const Beacon& beacon) {
-  const std::int32_t p = beacon.is_member ? find_peer(fleet, beacon.id) : fleet.peer_count;
-  const std::int64_t rest = plan.begin + static_cast<std::int64_t>(1e9 * duration(plan)) + 1;
+bool is_trusted(const FleetMemory& fleet, const Beacon& beacon, Work& work) {
+  if (!beacon.is_member) return false;
+  work.spend(ops::kTurn * fleet.peer_count);
+  const std::int32_t p = find_peer(fleet, beacon.id);
+  const OwnPlan& next = next_plan(fleet);
+  const std::int64_t rest = next.plan.begin + static_cast<std::int64_t>(1e9 * next.whole.end) + 1;
   return p < fleet.peer_count && fleet.peers[p].link.binds && fleet.peers[p].link.trusted >= rest;
 }
 
-/// Of all vehicles, or `why` and `by` say of whom not.
-bool is_clear(const FleetMemory& fleet, const Stretch& part, std::int64_t now, FleetBlock& why, std::uint16_t& by) {
-  const Trajectory& plan = next_plan(fleet).plan;
-  for (std::int32_t k = 0; k < fleet.beacons.count; ++k) {
-    const Beacon& beacon = fleet.beacons.of[k];
-    if (is_stale(fleet, beacon, now) || is_clear_of(fleet, plan, part, beacon)) continue;
-    if (is_trusted(fleet, plan, beacon)) continue;
-    why = FleetBlock::kStranger;
-    by = beacon.id;
-    return false;
+/// The whole plan at once, which is enough for most, or each segment of it.
+template <typename IsClear>
+bool is_clear(const OwnPlan& own, Work& work, const IsClear& is_clear_part) {
+  work.spend(4 * ops::kDot);
+  if (is_clear_part(own.whole)) return true;
+  const Trajectory& plan = own.plan;
+  work.spend((ops::kCurve + 4 * ops::kDot) * plan.count);
+  double end = 0.0;
+  for (std::int32_t s = 0; s < plan.count; ++s) {
+    end += plan.segments[s].duration;
+    if (!is_clear_part({hull_of(plan.segments[s]), end})) return false;
   }
-  why = FleetBlock::kUnheard;
-  by = 0;
-  return is_clear_of_unheard(fleet, plan, part, now);
+  return true;
 }
 
 }  // namespace
 
-bool is_clear_alone(const FleetMemory& fleet, std::int64_t now, Work& work, FleetBlock& why,
-                    std::uint16_t& by) noexcept {
-  const Trajectory& plan = next_plan(fleet).plan;
-  const Operations each = ops::kCurve + 4 * ops::kDot * (fleet.beacons.count + 1);
-  work.spend(each + ops::kCurve * plan.count);
-  // The whole plan at once is enough for most.
-  Stretch whole{hull_of(plan.segments[0]), duration(plan)};
+PlanPart whole_of(const Trajectory& plan) noexcept {
+  PlanPart whole{hull_of(plan.segments[0]), duration(plan)};
   for (std::int32_t s = 1; s < plan.count; ++s) grow(whole.hull, plan.segments[s]);
-  if (is_clear(fleet, whole, now, why, by)) return true;
-  work.spend(each * plan.count);
-  double end = 0.0;
-  for (std::int32_t s = 0; s < plan.count; ++s) {
-    end += plan.segments[s].duration;
-    if (!is_clear(fleet, {hull_of(plan.segments[s]), end}, now, why, by)) return false;
+  return whole;
+}
+
+Status step_alone(FleetMemory& fleet, std::int64_t now, Work& work, FleetBlock& why, std::uint16_t& by) noexcept {
+  const OwnPlan& next = next_plan(fleet);
+  const Beacon* const beacon = beacon_from(fleet.beacons, fleet.job.heard);
+  if (beacon == nullptr) {
+    const auto of_unheard = [&](const PlanPart& part) { return is_clear_of_unheard(fleet, next.plan, part, now); };
+    why = is_clear(next, work, of_unheard) ? FleetBlock::kNone : FleetBlock::kUnheard;
+    by = 0;
+    return Status::kOk;
   }
-  return true;
+  fleet.job.heard = beacon->id + 1;
+  const auto of_it = [&](const PlanPart& part) { return is_clear_of(fleet, next.plan, part, *beacon); };
+  const bool is_fine = is_stale(fleet, *beacon, now) || is_trusted(fleet, *beacon, work) || is_clear(next, work, of_it);
+  if (is_fine) return Status::kRunning;
+  why = FleetBlock::kStranger;
+  by = beacon->id;
+  return Status::kOk;
 }
 
 }  // namespace tern

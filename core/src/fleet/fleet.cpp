@@ -6,6 +6,7 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "fleet/fleet_access.hpp"
 
 namespace tern {
@@ -30,6 +31,7 @@ bool is_sound(const FleetSpec& spec) {
 void set(OwnPlan& own, const Trajectory& plan, const PlanName& name) {
   own.plan = plan;
   own.name = name;
+  own.whole = whole_of(plan);
   own.size = write_plan(plan, name, own.bytes);
   own.crc = crc32(own.bytes, own.size);
 }
@@ -135,8 +137,9 @@ void Fleet::leave(std::int64_t now) noexcept {
 void Fleet::advance(std::int64_t now, Work& work) noexcept {
   FleetMemory* const fleet = memory_of(*this);
   if (fleet == nullptr) return;
-  decide(*fleet, now);
-  if (is_by_range(*fleet)) update_members(*fleet, now);
+  work.spend(ops::kPiece);
+  decide(*fleet, now, work);
+  if (is_by_range(*fleet)) update_members(*fleet, now, work);
   work_on_jobs(*fleet, now, work);
 }
 

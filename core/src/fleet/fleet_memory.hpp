@@ -18,6 +18,7 @@ namespace tern {
 struct OwnPlan {
   Trajectory plan;
   PlanName name;
+  PlanPart whole;
   std::int32_t size;
   std::uint32_t crc;
   std::uint8_t bytes[kMaxPlanBytes];
@@ -29,10 +30,11 @@ enum class JobKind : std::uint8_t { kNone = 0, kOwn, kJudge };
 
 struct ProofJob {
   JobKind kind = JobKind::kNone;
-  bool runs = false;      ///< a proof is under way
-  std::int32_t peer = 0;  ///< the member whose plan it is about
-  int turn = 0;           ///< 0, 1: kOwn: against what the peer flies, against what it was allowed; kJudge: what this
-                          ///< vehicle flies, what it announces
+  bool runs = false;       ///< a proof is under way
+  std::int32_t peer = 0;   ///< the member whose plan it is about
+  std::int32_t heard = 0;  ///< kOwn, behind the last member: ids of vehicles below this one are done
+  int turn = 0;            ///< 0, 1: kOwn: against what the peer flies, against what it was allowed; kJudge: what this
+                           ///< vehicle flies, what it announces
   TrackProof proof;
   Track track;
   TrackPiece pieces[kMaxSegments + 1] = {};
@@ -96,7 +98,7 @@ bool is_ready(const FleetMemory& fleet, const Peer& peer) noexcept;
 /// The peer agreed to the plan that is announced.
 bool has_agreed(const FleetMemory& fleet, const Peer& peer) noexcept;
 /// Takes over or drops the plan that is announced, if it is time.
-void decide(FleetMemory& fleet, std::int64_t now) noexcept;
+void decide(FleetMemory& fleet, std::int64_t now, Work& work) noexcept;
 
 /// jobs.cpp. Goes on with proofs, and does what follows from them.
 void work_on_jobs(FleetMemory& fleet, std::int64_t now, Work& work) noexcept;

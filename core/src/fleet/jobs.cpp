@@ -17,6 +17,7 @@ void end(ProofJob& job) {
   job.kind = JobKind::kNone;
   job.runs = false;
   job.peer = 0;
+  job.heard = 0;
   job.turn = 0;
 }
 
@@ -60,7 +61,7 @@ void begin_proof(FleetMemory& fleet, const Question& question, Work& work) {
   const Peer& peer = fleet.peers[job.peer];
   const Assembly<kMaxPlanBytes>& theirs = peer.plans[question.theirs];
   read_plan(theirs.bytes, theirs.size, fleet.spec.clock_error, job.pieces, job.track);
-  work.spend(plan_work(job.track.piece_count));
+  work.spend(plan_work(job.track.piece_count) + ops::kCurve * question.plan->count);
   job.track.radius = 1e-3 * peer.state.radius;
   const double from = larger(time_on(*question.plan, question.from), 0.0);
   TrackGrounds grounds;
@@ -85,7 +86,8 @@ std::int32_t next_to_judge(const FleetMemory& fleet, std::int64_t now) {
 }
 
 /// False if there is nothing to do.
-bool pick_job(FleetMemory& fleet, std::int64_t now) {
+bool pick_job(FleetMemory& fleet, std::int64_t now, Work& work) {
+  work.spend(ops::kDot * fleet.peer_count);
   const std::int32_t p = next_to_judge(fleet, now);
   if (p < fleet.peer_count) {
     fleet.job.kind = JobKind::kJudge;
@@ -106,13 +108,12 @@ void answer(FleetMemory& fleet, Consent consent, std::int64_t now) {
   touch(fleet, now);
 }
 
-/// By range, first against all that may do anything.
-void announce_openly(FleetMemory& fleet, std::int64_t now, Work& work) {
-  if (is_by_range(fleet)) {
-    FleetBlock why = FleetBlock::kNone;
-    std::uint16_t by = 0;
-    if (!is_clear_alone(fleet, now, work, why, by)) return drop(fleet, why, by, now);
-  }
+/// The members are done. By range, those that may do anything follow, one by one; then the others are told.
+void look_beyond_members(FleetMemory& fleet, std::int64_t now, Work& work) {
+  FleetBlock why = FleetBlock::kNone;
+  std::uint16_t by = 0;
+  if (is_by_range(fleet) && step_alone(fleet, now, work, why, by) == Status::kRunning) return;
+  if (why != FleetBlock::kNone) return drop(fleet, why, by, now);
   fleet.announcement = Announcement::kOpen;
   end(fleet.job);
   touch(fleet, now);
@@ -131,7 +132,7 @@ void look_at_next(FleetMemory& fleet, std::int64_t now, Work& work) {
   ProofJob& job = fleet.job;
   work.spend(ops::kPiece);
   if (job.kind == JobKind::kOwn) {
-    if (job.peer == fleet.peer_count) return announce_openly(fleet, now, work);
+    if (job.peer == fleet.peer_count) return look_beyond_members(fleet, now, work);
     const Peer& peer = fleet.peers[job.peer];
     if (peer.link.binds && !is_ready(fleet, peer)) return drop(fleet, FleetBlock::kSilent, peer.id, now);
   }
@@ -164,7 +165,7 @@ void restart_jobs_about(FleetMemory& fleet, std::int32_t peer) noexcept {
 
 void work_on_jobs(FleetMemory& fleet, std::int64_t now, Work& work) noexcept {
   while (work.left()) {
-    if (fleet.job.kind == JobKind::kNone && !pick_job(fleet, now)) return;
+    if (fleet.job.kind == JobKind::kNone && !pick_job(fleet, now, work)) return;
     fleet.job.runs ? prove_on(fleet, now, work) : look_at_next(fleet, now, work);
   }
 }

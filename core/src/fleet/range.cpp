@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/work.hpp"
 #include "fleet/fleet_memory.hpp"
 
 namespace tern {
@@ -19,7 +20,8 @@ void add_member(FleetMemory& fleet, Beacon& beacon, std::int64_t now) {
   touch(fleet, now);
 }
 
-void remove_member(FleetMemory& fleet, std::int32_t p, std::int64_t now) {
+void remove_member(FleetMemory& fleet, std::int32_t p, std::int64_t now, Work& work) {
+  work.spend(ops::kElement * static_cast<Operations>(sizeof(Peer) / sizeof(double)));
   Beacon* const beacon = find_beacon(fleet.beacons, fleet.peers[p].id);
   if (beacon != nullptr) beacon->is_member = false;
   const std::int32_t last = --fleet.peer_count;
@@ -69,7 +71,8 @@ bool is_by_range(const FleetMemory& fleet) noexcept {
   return fleet.spec.range.join > 0.0;
 }
 
-void update_members(FleetMemory& fleet, std::int64_t now) noexcept {
+void update_members(FleetMemory& fleet, std::int64_t now, Work& work) noexcept {
+  work.spend(ops::kCurve + (ops::kDot + ops::kTurn) * fleet.beacons.count + ops::kPiece * fleet.peer_count);
   const Trajectory& flown = fleet.own[fleet.flown].plan;
   fleet.beacons.now = now;
   fleet.beacons.place = evaluate(flown, time_on(flown, now)).position;
@@ -82,7 +85,7 @@ void update_members(FleetMemory& fleet, std::int64_t now) noexcept {
   }
   for (std::int32_t p = 0; p < fleet.peer_count; ++p) update_link(fleet, fleet.peers[p], stay, now);
   for (std::int32_t p = fleet.peer_count - 1; p >= 0; --p) {
-    if (is_over(fleet.peers[p], now)) remove_member(fleet, p, now);
+    if (is_over(fleet.peers[p], now)) remove_member(fleet, p, now, work);
   }
   // What is promised is promised anew in time.
   if (now - fleet.stamp > fleet.spec.range.lease / 8) touch(fleet, now);

@@ -18,12 +18,20 @@ struct FleetMemory;
 /// True if members come by range.
 bool is_by_range(const FleetMemory& fleet) noexcept;
 /// Every tick: who is near becomes a member, and who is far away is none any more once nobody relies on it.
-void update_members(FleetMemory& fleet, std::int64_t now) noexcept;
+void update_members(FleetMemory& fleet, std::int64_t now, Work& work) noexcept;
 
-/// True if the plan that is announced is clear, from its takeover until it rests, of all that any vehicle may do which
-/// did not promise to ask or to tell until then. Else `why` and `by` say of whom it is not.
-bool is_clear_alone(const FleetMemory& fleet, std::int64_t now, Work& work, FleetBlock& why,
-                    std::uint16_t& by) noexcept;
+/// A part of a plan, or all of it.
+struct PlanPart {
+  Box hull;    ///< from the plan's origin
+  double end;  ///< s after the plan's beginning
+};
+PlanPart whole_of(const Trajectory& plan) noexcept;
+
+/// A piece of the proof that the plan which is announced is clear, from its takeover until it rests, of all that any
+/// vehicle may do which did not promise to ask or to tell until then: the next vehicle that was heard, and behind the
+/// last one, all that were not. kRunning; kOk at its end: `why` and `by` say of whom the plan is not clear, if of any.
+/// What was proven stays true, as vehicles are no faster than FleetRange::speed.
+Status step_alone(FleetMemory& fleet, std::int64_t now, Work& work, FleetBlock& why, std::uint16_t& by) noexcept;
 
 /// What was promised to members before begin().
 struct Promises {

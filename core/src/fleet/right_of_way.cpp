@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/work.hpp"
 #include "fleet/fleet_memory.hpp"
 
 namespace tern {
@@ -39,8 +40,9 @@ void take_over(FleetMemory& fleet, std::int64_t now) {
 
 }  // namespace
 
-void decide(FleetMemory& fleet, std::int64_t now) noexcept {
+void decide(FleetMemory& fleet, std::int64_t now, Work& work) noexcept {
   if (!is_pending(fleet)) return;
+  work.spend(2 * ops::kTurn * fleet.peer_count);
   for (std::int32_t p = 0; is_open(fleet) && p < fleet.peer_count; ++p) {
     const Peer& peer = fleet.peers[p];
     if (peer.link.binds && is_asked(fleet, peer) && has_refused(fleet, peer))

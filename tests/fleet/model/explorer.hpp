@@ -20,6 +20,7 @@
 #include "fleet/fleet_access.hpp"
 #include "fleet/model/padding.hpp"
 #include "fleet/plans.hpp"
+#include "fleet/slices.hpp"
 #include "tern/fleet.hpp"
 
 namespace tern_model {
@@ -42,6 +43,7 @@ struct Setting {
   double seconds = 2.0;        ///< that a plan lasts
   std::size_t in_the_air = 2;  ///< messages of each vehicle that may still arrive: its last ones
   bool in_pieces = false;      ///< state and plans arrive separately
+  bool in_slices = false;      ///< proofs go on piece by piece, in steps of their own
   tern::FleetRange range;      ///< members by range; else each knows of each
   bool keeps_first = false;    ///< what was said first, with the plan that is flown, may still arrive
   std::array<std::vector<tern::Vec3>, kVehicles> targets;
@@ -94,20 +96,20 @@ struct HashOfWorld {
   }
 };
 
-enum class Act : std::uint8_t { kAnnounce, kWithdraw, kRestart, kLeave, kHear, kWait };
+/// In slices, kProve does a piece of a proof, kFinish all of it, and the others nothing of it.
+enum class Act : std::uint8_t { kAnnounce, kWithdraw, kRestart, kLeave, kHear, kWait, kProve, kFinish };
 
 /// The vehicles, whose steps are computed once each.
 class Vehicles {
  public:
   explicit Vehicles(const Setting& setting) : setting_(setting) {}
 
-  /// A fleet without its work of the moment, of which nothing is left after a step, and without what decides nothing of
-  /// what is checked here: when something was heard, which unneeded plan is replaced first, and bytes that nobody
-  /// reads.
+  /// A fleet without what decides nothing of what is checked here: a proof that is over, when something was heard,
+  /// which unneeded plan is replaced first, and bytes that nobody reads.
   std::uint32_t keep(const tern::Fleet& fleet) {
     auto copy = std::make_unique<tern::Fleet>(fleet);
     tern::FleetMemory& memory = *tern::memory_of(*copy);
-    std::memset(static_cast<void*>(&memory.job), 0, sizeof memory.job);
+    without_proof(memory.job);
     for (tern::OwnPlan& own : memory.own) without_padding(own.name);
     for (int k = 0; k < tern::kMaxBeacons; ++k) without_padding(memory.beacons.of[k], k < memory.beacons.count);
     for (tern::Peer& peer : memory.peers) {
@@ -148,8 +150,7 @@ class Vehicles {
     load(fleet, scratch_);
     After after;
     after.done = act_on(v, kTick * clock, act, what);
-    tern::Work work(1u << 30);
-    scratch_.advance(kTick * clock, work);
+    advance(kTick * clock, act);
     if (setting_.range.join <= 0.0) tern::memory_of(scratch_)->stamp = 0;  // else it says when to promise anew
     after.said = said(scratch_);
     after.fleet = keep(scratch_);
@@ -222,6 +223,11 @@ class Vehicles {
     }
     return bytes;
   }
+  void advance(std::int64_t now, Act act) {
+    if (setting_.in_slices && act == Act::kProve) return tern_test::advance_a_piece(scratch_, now);
+    tern::Work work(setting_.in_slices && act != Act::kFinish ? 0 : 1u << 30);
+    scratch_.advance(now, work);
+  }
   bool act_on(int v, std::int64_t now, Act act, std::uint32_t what) {
     switch (act) {
       case Act::kAnnounce:
@@ -238,6 +244,8 @@ class Vehicles {
         hear(what, now);
         return true;
       case Act::kWait:
+      case Act::kProve:
+      case Act::kFinish:
         return true;
     }
     return false;

@@ -83,6 +83,13 @@ TEST(FleetModel, ThreeVehicles) {
   expect_sound("three vehicles", setting);
 }
 
+TEST(FleetModel, ProofsInSlices) {
+  Setting setting = corners(2, 2);
+  setting.in_slices = true;
+  setting.last_tick = 3;
+  expect_sound("proofs in slices", setting);
+}
+
 /// Two vehicles 34 m apart, which become members of each other there or nearer. The first one goes to and fro on the
 /// spot; the second one comes where the first one is about to be, passes it, or goes out of range and comes back.
 Setting in_range() {
@@ -120,7 +127,9 @@ Setting out_of_range() {
 }
 
 void expect_sound_walks(const char* name, const Setting& setting) {
-  const tern_model::Walked walked = tern_model::walk(setting, tern_test::scaled(400), 300, 1);
+  const int walks = tern_test::scaled(setting.in_slices ? 200 : 400);
+  const int steps = setting.in_slices ? 1500 : 300;
+  const tern_model::Walked walked = tern_model::walk(setting, walks, steps, 1);
   std::printf("%s: %zu worlds, plans taken over %zu and %zu\n", name, walked.worlds, walked.taken[0], walked.taken[1]);
   EXPECT_EQ(walked.unsafe, 0) << name;
   EXPECT_EQ(walked.stuck, 0) << name;
@@ -141,12 +150,35 @@ TEST(FleetModel, WalksOutOfRange) {
   expect_sound_walks("out of range", out_of_range());
 }
 
+TEST(FleetModel, WalksByRangeWithProofsInSlices) {
+  Setting setting = in_range();
+  setting.in_slices = true;
+  expect_sound_walks("by range, in slices", setting);
+  setting.priorities = {0, 1, 0};
+  setting.restarts = 2;
+  expect_sound_walks("by range, in slices, restarts", setting);
+  setting = out_of_range();
+  setting.in_slices = true;
+  expect_sound_walks("out of range, in slices", setting);
+}
+
 TEST(FleetModel, ByRange) {
   Setting setting = in_range();
   setting.announcements = 1;
   setting.in_the_air = 2;
   setting.last_tick = 3;
   expect_sound("by range", setting);
+}
+
+TEST(FleetModel, ByRangeWithProofsInSlices) {
+  Setting setting = in_range();
+  setting.in_slices = true;
+  setting.announcements = 1;
+  setting.in_the_air = 1;
+  setting.last_tick = 3;
+  setting.targets[0].resize(1);
+  setting.targets[1].resize(2);
+  expect_sound("by range, in slices", setting);
 }
 
 }  // namespace

@@ -48,8 +48,12 @@ class Worlds {
   }
 
   /// One step of those that next() knows, at random. Time goes on in a fifth of them, and plans are announced so seldom
-  /// that most are decided about before the next one.
+  /// that most are decided about before the next one. In slices, most steps are pieces of proofs.
   void stray(World& world, tern_test::Random& random) {
+    if (setting_.in_slices && random.chance(0.8)) {
+      act(world, random.integer(0, setting_.vehicles - 1), Act::kProve, 0);
+      return;
+    }
     next(world, after_);
     if (after_.empty()) return;
     std::size_t k = after_.size() - 1;
@@ -154,6 +158,11 @@ class Worlds {
       World next = world;
       if (act(next, v, Act::kHear, message)) add(world, next, after);
     }
+    if (setting_.in_slices) {
+      World next = world;
+      act(next, v, Act::kProve, 0);
+      add(world, next, after);
+    }
     if (setting_.skew > 0) tick_one(world, v, after);
   }
   void tick_one(const World& world, int v, std::vector<World>& after) {
@@ -185,6 +194,7 @@ class Worlds {
         if (vehicles_.sender(message) != v) act(world, v, Act::kHear, message);
       }
     }
+    for (int v = 0; setting_.in_slices && v < setting_.vehicles; ++v) act(world, v, Act::kFinish, 0);
   }
   Set newest_of_all(const World& world) {
     Set newest;
