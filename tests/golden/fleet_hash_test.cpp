@@ -24,4 +24,15 @@ TEST(GoldenFleet, HasOneHash) {
   EXPECT_GT(totals.conflicts, 1);
 }
 
+TEST(GoldenFleet, HasOneHashByRange) {
+  const auto memory = std::make_unique<FleetRunMemory<FleetSetting{}.members>>();
+  FleetSetting setting;
+  setting.join = kGoldenJoin;
+  const FleetTotals totals = fly_fleet(setting, *memory, [] { return std::uint64_t{0}; });
+  EXPECT_EQ(totals.hash, kGoldenFleetRangeHash) << std::hex << totals.hash;
+  EXPECT_GT(totals.taken, 10);
+  EXPECT_GT(totals.strangers, 3);
+  EXPECT_GT(totals.refused + totals.unanswered + totals.conflicts, 5);
+}
+
 }  // namespace

@@ -21,9 +21,12 @@ struct FleetSetting {
   int legs = 3;  ///< segments of a plan
   int ticks = 400;
   int restart = 200;  ///< the tick in which member 1 begins anew
+  double join = 0.0;  ///< m: members are those that are so near; 0: each is one of each
 };
 
 constexpr int kMostMembers = 11;
+/// m: with it, members of the golden fleet by range come and go.
+constexpr double kGoldenJoin = 4.5;
 constexpr std::uint32_t kFleetWork = 250;  ///< units of proofs a tick
 constexpr std::int64_t kFleetTick = 100'000'000;
 constexpr std::int64_t kClockError = 10'000'000;
@@ -47,7 +50,7 @@ struct FleetRunMemory {
 
 struct FleetTotals {
   std::uint64_t hash = 0xCBF29CE484222325u;
-  int announced = 0, taken = 0, refused = 0, unanswered = 0, conflicts = 0;
+  int announced = 0, taken = 0, refused = 0, unanswered = 0, conflicts = 0, strangers = 0;
   std::uint64_t most = 0;  ///< what a vehicle's calls took in a tick
   std::uint64_t sum = 0;   ///< of all ticks of all vehicles
   std::uint32_t most_units = 0;
@@ -94,6 +97,16 @@ class FleetRun {
       }
     }
   }
+  /// No leg is faster on any axis, and plans rest before promises end.
+  tern::FleetRange range() const {
+    tern::FleetRange range;
+    range.join = s_.join;
+    range.heard = 200.0;
+    range.speed = 2.1875 * 6.0 / (1.25 * s_.legs);
+    range.within = 10 * kFleetTick;
+    range.lease = 200 * kFleetTick;
+    return range;
+  }
   void begin(int v, const tern::Trajectory& flown, std::int64_t now) {
     tern::FleetSpec spec;
     spec.id = static_cast<std::uint16_t>(v + 1);
@@ -103,8 +116,9 @@ class FleetRun {
     spec.clock_error = kClockError;
     spec.tick = kFleetTick;
     spec.speed = 4.0;
+    spec.range = range();
     memory_.fleets[v].begin(spec, flown, now);
-    for (int other = 0; other < s_.members; ++other) {
+    for (int other = 0; s_.join <= 0.0 && other < s_.members; ++other) {
       if (other != v) memory_.fleets[v].add(static_cast<std::uint16_t>(other + 1), now);
     }
   }
@@ -177,6 +191,7 @@ class FleetRun {
     totals_.refused += report.blocked == tern::FleetBlock::kRefused ? 1 : 0;
     totals_.unanswered += report.blocked == tern::FleetBlock::kUnanswered ? 1 : 0;
     totals_.conflicts += report.blocked == tern::FleetBlock::kConflict ? 1 : 0;
+    totals_.strangers += report.blocked == tern::FleetBlock::kStranger ? 1 : 0;
   }
   void hash(const void* bytes, std::size_t size) {
     for (std::size_t k = 0; k < size; ++k) {

@@ -16,6 +16,8 @@ constexpr std::uint64_t kGoldenFlightHash = 0xa22a4fcfacbd7ea9u;
 
 /// The same for the fleet of fleet_run.hpp, which reaches none either.
 constexpr std::uint64_t kGoldenFleetHash = 0xee9f82bd0b3d1b26u;
+/// The same fleet with members by range.
+constexpr std::uint64_t kGoldenFleetRangeHash = 0x1a40f1d0daeac040u;
 
 }  // namespace tern_golden
 
