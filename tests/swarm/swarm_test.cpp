@@ -125,6 +125,17 @@ TEST(Swarm, SaysWhichPlansAFlightHasNoRoomFor) {
   EXPECT_TRUE(result.contacts.empty());
 }
 
+// Fields of so many are so large that few places are within 20 m of a start.
+TEST(Swarm, GoalsOfScatteredVehiclesAreNear) {
+  for (const char* name : {"plain-200:1", "plain-500:2", "field-500:1"}) {
+    const SwarmWorld world = swarm_world(name);
+    for (const SwarmTask& task : world.tasks) {
+      const tern::Vec3& goal = task.mission.back().position;
+      EXPECT_LE(std::hypot(goal.x - task.start.x, goal.y - task.start.y), 20.0) << name;
+    }
+  }
+}
+
 TEST(SwarmRecord, ReplaysToTheSameBits) {
   SwarmSettings settings;
   settings.links.loss = 0.3;

@@ -197,7 +197,7 @@ SwarmWorld scattered(int count, double half, Noise& random) {
   for (int k = 0; k < count; ++k) {
     const tern::Vec3 start = any_place();
     tern::Vec3 goal = any_place();
-    for (int tries = 0; tries < 100 && std::hypot(goal.x - start.x, goal.y - start.y) > 20.0; ++tries)
+    for (int tries = 0; tries < 10000 && std::hypot(goal.x - start.x, goal.y - start.y) > 20.0; ++tries)
       goal = any_place();
     world.tasks.push_back({start, {goal_at(goal)}, 0.0, 0});
   }
