@@ -113,7 +113,7 @@ TEST_F(TimedVias, ManyThingsBetweenThemAreAvoided) {
   int floods = 0;
   for (int n = 0; n < cases; ++n) {
     std::vector<Track> tracks;
-    for (int j = 0; j < 8; ++j) {
+    for (int j = 0; j < 16; ++j) {
       const double y = random.integer(0, 1) == 0 ? -1.0 : 5.0;
       const double speed = y < 0.0 ? 0.6 : -0.6;
       tracks.push_back(ball({random.real(1.5, 7.0), y, random.real(0.3, 1.7)}, {0.0, speed, 0.0}, 0.2));

@@ -6,11 +6,29 @@
 #include "base/math.hpp"
 
 namespace tern {
+namespace {
 
-void ask_among_things(const TrajectoryStage& stage, Question& question) noexcept {
+/// Turns the planes to where the best plan has most room, so that it keeps the new ones, too: these were chosen for a
+/// plan that failed.
+void turn_to_best(TrajectoryStage& stage, Work& work) {
+  double tried[kMaxSegments];
+  for (int i = 0; i < stage.chain.count; ++i) {
+    tried[i] = stage.chain.duration[i];
+    stage.chain.duration[i] = stage.best.duration[i];
+  }
+  turn_planes(stage.chain, *stage.query.scene, stage.best.points, stage.separations, work);
+  for (int i = 0; i < stage.chain.count; ++i) stage.chain.duration[i] = tried[i];
+}
+
+}  // namespace
+
+void ask_among_things(Question& question) noexcept {
   question.paced = true;
   question.lengthening = kLengtheningAmongThings;
-  question.feasibility_rounds = stage.turns > 0 ? 0 : kRoundsAmongThings;
+  question.feasibility_rounds = kRoundsAmongThings;
+  question.radius = kRadiusAmongThings;
+  question.longest_step = kLongestStepAmongThings;
+  question.forgets = true;
 }
 
 bool takes_too_long(const TrajectoryStage& stage) noexcept {
@@ -52,30 +70,17 @@ bool meet(TrajectoryStage& stage, Work& work) noexcept {
   return meet_advance(stage.chain, *stage.query.scene, stage.points, stage.separations, work);
 }
 
-bool meets_nothing_new(TrajectoryStage& stage) noexcept {
+bool meets_nothing_new(TrajectoryStage& stage, Work& work) noexcept {
   const Separations& separations = stage.separations;
   if (separations.by_reference) return false;
   const bool is_first = stage.refinement.phase == RefinementPhase::kFeasibility;
   const bool is_lost = separations.is_full || separations.is_stuck;
   if (separations.added == 0 && !is_lost) return true;
   stage.round.better = false;
+  if (!is_first && separations.added > 0) turn_to_best(stage, work);
   if (is_lost || !is_first || stage.repeats == kMostRepeats) return true;
   ++stage.repeats;
   return false;
-}
-
-bool turns_planes(TrajectoryStage& stage, Work& work) noexcept {
-  if (stage.query.scene == nullptr || !stage.best.found || stage.turns == kPlaneTurns) return false;
-  double before = 0.0;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    stage.chain.duration[i] = stage.best.duration[i];
-    before += stage.best.duration[i];
-  }
-  if (stage.turns > 0 && before > (1.0 - kWorthATurn) * stage.settled) return false;
-  stage.settled = before;
-  ++stage.turns;
-  turn_planes(stage.chain, *stage.query.scene, stage.best.points, stage.separations, work);
-  return true;
 }
 
 }  // namespace tern

@@ -99,6 +99,7 @@ void guess_curvature(Refinement& refinement, int count) {
 /// curvature from how the prices changed since the last plan.
 void keep(Refinement& refinement, const Round& round, const Chain& chain) {
   const bool first = !(refinement.best.cost < kNoPlan);
+  const bool is_far = refinement.forgets && round.offer.snap < kFallen * refinement.best.snap;
   const double stretch = round.offer.stretch;
   double step[kMaxSegments];
   double change[kMaxSegments];
@@ -113,14 +114,16 @@ void keep(Refinement& refinement, const Round& round, const Chain& chain) {
   refinement.best = round.offer;
   refinement.spent = 0;
   move_base(refinement.planes, step, chain.count);
-  if (first) return guess_curvature(refinement, chain.count);
+  if (first || is_far) return guess_curvature(refinement, chain.count);
   curvature_learn(refinement.curvature, step, change, chain.count);
 }
 
 /// The length of the step relative to the longest steps allowed.
-double excess(const double* step, int count) {
+double excess(const Refinement& refinement, const double* step, int count) {
   double most = 0.0;
-  for (int i = 0; i < count; ++i) most = larger(most, larger(step[i] / kLongestStep, -step[i] / kShortestStep));
+  for (int i = 0; i < count; ++i) {
+    most = larger(most, larger(step[i] / refinement.longest_step, -step[i] / kShortestStep));
+  }
   return most;
 }
 
@@ -137,7 +140,7 @@ double retime(Refinement& refinement, Chain& chain) {
   newton_step(refinement.curvature, extra, descent, chain.count, step);
   const double snap = refinement.best.snap / seventh_power(refinement.best.stretch);
   if (refinement.planes.found > 0) bend_step(refinement.planes, refinement.curvature, snap, chain.count, step);
-  const double beyond = excess(step, chain.count);
+  const double beyond = excess(refinement, step, chain.count);
   const double scale = beyond > refinement.radius ? refinement.radius / beyond : 1.0;
   refinement.reach = scale * beyond;
   double promise = 0.0;
@@ -185,6 +188,7 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   if (round.better) {
     keep(refinement, round, chain);
     enter(refinement, RefinementPhase::kDescent);
+    refinement.radius = refinement.first_radius;
     retime(refinement, chain);
     return;
   }
@@ -254,6 +258,9 @@ void refinement_begin(Refinement& refinement, const Chain& chain, const Question
   refinement.rate = question.unit * weight_of(refinement, refinement.rung);
   refinement.best = Offer{0.0, kNoPlan, 1.0, 1.0, kNoPlan};
   refinement.planes.found = 0;
+  refinement.forgets = question.forgets;
+  refinement.longest_step = question.longest_step;
+  refinement.first_radius = question.radius;
   for (int i = 0; i < chain.count; ++i) refinement.base[i] = chain.duration[i];
 }
 

@@ -46,6 +46,15 @@ struct Offer {
 constexpr int kFeasibilityRounds = 6;
 constexpr double kLengthening = 1.35;
 
+/// The longest steps of one round, down and up, in the logarithm of a duration. It is costly to prove that a programme
+/// with much too short durations is infeasible.
+constexpr double kShortestStep = 0.12;
+constexpr double kLongestStep = 0.47;
+
+/// A plan that no longer squeezes past a thing may have a hundredth of the snap. From such a change, the search would
+/// learn a curvature that lets the next step promise too little.
+constexpr double kFallen = 0.3;
+
 /// What the search is to find.
 struct Question {
   double unit;     ///< m^2/s^8, > 0: what a second costs at weight 1
@@ -55,10 +64,16 @@ struct Question {
   bool paced;      ///< the first durations are those of an earlier plan for that weight
   double lengthening = kLengthening;
   int feasibility_rounds = kFeasibilityRounds;
+  double radius = 1.0;  ///< of the first step of the descent
+  double longest_step = kLongestStep;
+  bool forgets = false;  ///< the curvature, once snap falls below kFallen of what it was
 };
 
 struct Refinement {
   RefinementPhase phase;
+  double longest_step;          ///< at radius 1, in the logarithm of a duration
+  bool forgets;                 ///< as in Question
+  double first_radius;          ///< of the descent
   double lengthening;           ///< of a round of the feasibility phase
   int feasibility_rounds;       ///< the most of that phase
   bool elastic;                 ///< plans may be stretched: from rest to rest
@@ -90,10 +105,6 @@ struct Round {
   double prices[kMaxSegments];  ///< prices of each segment's time in the plan or bound, before the stretch
 };
 
-/// The longest steps of one round, down and up, in the logarithm of a duration. It is costly to prove that a programme
-/// with much too short durations is infeasible.
-constexpr double kShortestStep = 0.12;
-constexpr double kLongestStep = 0.47;
 /// The radius at the beginning of a rung is that at the end of the rung before, but at least this.
 constexpr double kLeastRadius = 0.125;
 /// In the first guess of the curvature, a price counts as at least this part of the cost of its time.

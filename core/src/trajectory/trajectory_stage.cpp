@@ -166,6 +166,7 @@ void take(TrajectoryStage& stage, Work& work) {
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, stage.round.prices);
   if (stage.query.scene == nullptr) return;
   add_separation_prices(stage.chain, stage.solution, stage.scale, stage.points, stage.separations, stage.round.prices);
+  turn_planes(stage.chain, *stage.query.scene, stage.points, stage.separations, work);
 }
 
 Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
@@ -174,7 +175,7 @@ Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
                     agility(stage.chain, corridor, query.limits), is_elastic(stage),
                     query.paced && !stage.has_fallback};
   if (has_rival(stage)) question.feasibility_rounds = kRivalRounds;
-  if (query.scene != nullptr) ask_among_things(stage, question);
+  if (query.scene != nullptr) ask_among_things(question);
   return question;
 }
 
@@ -204,7 +205,6 @@ void go_on(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   stage.round.iterations = static_cast<int>(stage.iterations - stage.solve_begin);
   refinement_next(stage.refinement, stage.round, stage.chain);
   if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor, work);
-  if (stage.refinement.phase == RefinementPhase::kDone && turns_planes(stage, work)) begin_refinement(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
 }
 
@@ -268,7 +268,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.best.found = false;
   stage.has_fallback = false;
   stage.warm_count = 0;
-  stage.turns = stage.repeats = 0;
+  stage.repeats = 0;
   stage.phase = TrajectoryPhase::kFinish;
   stage.chain = chain;
   if (stays(corridor) && is_elastic(stage)) return;
@@ -300,7 +300,7 @@ Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Wo
       case TrajectoryPhase::kMeet:
         if (!meet(stage, work)) return Progress::kMore;
         stage.phase = TrajectoryPhase::kPropose;
-        if (meets_nothing_new(stage)) go_on(stage, corridor, work);
+        if (meets_nothing_new(stage, work)) go_on(stage, corridor, work);
         break;
       case TrajectoryPhase::kFinish:
         break;

@@ -76,9 +76,7 @@ struct TrajectoryStage {
   QpConstraint warm[kMaxActive];
   Vec3 points[kMaxSegments][kControlPoints];  ///< control points of the candidate
   // With a scene.
-  int turns;       ///< how often its planes were turned
-  int repeats;     ///< how often durations were tried again with more planes
-  double settled;  ///< duration of the best plan when they were turned last
+  int repeats;  ///< how often durations were tried again with more planes
   Separations separations;
   QpProblem problem;
   QpSolution solution;
