@@ -125,6 +125,51 @@ TEST_F(FleetSlices, AMostCrowdedSkyIsDoneInManyTicks) {
   }
 }
 
+/// Else nobody among many members would ever get through: in every tick, one of them flies something else.
+TEST_F(FleetSlices, WhoFliesSomethingElseIsProvenAgainAndNobodyElseIs) {
+  begin(15.0);
+  go_on(2.0);
+  announce(1);
+  go_on(0.8);
+  ASSERT_TRUE(fleet(1).report().cleared);
+  hear(0, {beacon_of(7, {0, 90, 1}, now_), beacon_of(9, {0, 90, 1}, now_)});
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {0, -2, 1}, takeover, 4.0), takeover, now_), tern::Status::kOk);
+  const tern::ProofJob& job = tern::memory_of(fleet(0))->job;
+  for (int k = 0; k < 1000 && job.heard <= 7; ++k) advance_a_piece(fleet(0), now_);
+  ASSERT_EQ(job.heard, 8);
+  ASSERT_EQ(job.peer, 1) << "the member is done";
+  now_ += kSecond / 4;
+  advance(1);
+  ASSERT_EQ(fleet(1).report().announcement, Announcement::kTaken);
+  say(1);
+  EXPECT_EQ(job.peer, 0);
+  EXPECT_EQ(job.heard, 8);
+  advance(0);
+  EXPECT_EQ(fleet(0).report().announcement, Announcement::kOpen);
+}
+
+/// By list. The proof is put off when 3 is removed, and before it goes on, 2 asks for the place to which it leads.
+TEST_F(FleetSlices, WhatIsAgreedToBetweenProofsIsProvenAsWell) {
+  for (const int v : {0, 1}) {
+    tern::FleetSpec by_list = spec(v);
+    by_list.range = tern::FleetRange{};
+    ASSERT_EQ(fleet(v).begin(by_list, resting(place(v, 10.0), 0), now_), tern::Status::kOk);
+    fleet(v).add(static_cast<std::uint16_t>(2 - v), now_);
+  }
+  fleet(0).add(3, now_);
+  for (const int v : {0, 1, 0, 1}) say(v);
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {10, 5, 1}, takeover, 4.0), takeover, now_), tern::Status::kOk);
+  for (int k = 0; k < 1000 && tern::memory_of(fleet(0))->job.peer == 0; ++k) advance_a_piece(fleet(0), now_);
+  ASSERT_TRUE(is_proving(fleet(0))) << "clear of 2, and not yet of 3";
+  fly(1, {10, 0, 1}, {10, 5, 1}, 4.0);
+  say(1);
+  fleet(0).remove(3, now_);
+  advance(0);
+  expect_dropped(0, FleetBlock::kConflict, 2);
+}
+
 /// Who comes while others are being proven clear of is proven clear of, too: at its first beacon, and where beacons of
 /// it come again.
 TEST_F(FleetSlices, WhoComesMeanwhileIsNotForgotten) {

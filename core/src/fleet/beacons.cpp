@@ -58,11 +58,6 @@ bool make_room(FleetMemory& fleet, const Beacon& next, std::int64_t now) {
   return worst >= 0;
 }
 
-/// A proof that went past this vehicle goes back to it.
-void prove_from(ProofJob& job, std::uint16_t id) {
-  if (id < job.heard) job.heard = id;
-}
-
 }  // namespace
 
 double seconds(std::int64_t time) noexcept {

@@ -86,6 +86,11 @@ inline bool is_pending(const FleetMemory& fleet) {
   return is_open(fleet) || fleet.announcement == Announcement::kProving;
 }
 
+/// A proof that the plan which is announced is clear alone goes back to this vehicle, if it went past it.
+inline void prove_from(ProofJob& job, std::uint16_t id) {
+  if (id < job.heard) job.heard = id;
+}
+
 /// What the others are told changed.
 void touch(FleetMemory& fleet, std::int64_t now) noexcept;
 /// The plan that is announced will not be flown.
@@ -104,6 +109,8 @@ void decide(FleetMemory& fleet, std::int64_t now, Work& work) noexcept;
 void work_on_jobs(FleetMemory& fleet, std::int64_t now, Work& work) noexcept;
 /// What is known of the peer, or what this vehicle flies, changed: a proof that stands on it begins anew.
 void restart_jobs_about(FleetMemory& fleet, std::int32_t peer) noexcept;
+/// The plan that is announced is to be proven clear of the peer once more.
+void prove_again(FleetMemory& fleet, std::int32_t peer) noexcept;
 void restart_jobs(FleetMemory& fleet) noexcept;
 
 }  // namespace tern

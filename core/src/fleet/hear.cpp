@@ -60,7 +60,7 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   if (by_range) hear_link(fleet, state, answer, has_begun, peer.link);
   // A member may have taken this over unasked, before it made the promise that this state brings. So what was proven of
   // it before counts no more, even if the proof about it is over.
-  if (by_range && state.flown != peer.state.flown) restart_jobs(fleet);
+  if (by_range && state.flown != peer.state.flown) prove_again(fleet, find_peer(fleet, peer.id));
   peer.state = state;
   peer.answer = answer;
   peer.state_crc = crc;

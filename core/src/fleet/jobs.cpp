@@ -85,6 +85,14 @@ std::int32_t next_to_judge(const FleetMemory& fleet, std::int64_t now) {
   return fleet.peer_count;
 }
 
+/// The peer of which the plan that is announced is to be proven clear next; peer_count: none.
+std::int32_t next_to_prove(const FleetMemory& fleet, Work& work) {
+  work.spend(ops::kTurn * fleet.peer_count);
+  std::int32_t p = 0;
+  while (p < fleet.peer_count && fleet.peers[p].proven == next_plan(fleet).name.number) ++p;
+  return p;
+}
+
 /// False if there is nothing to do.
 bool pick_job(FleetMemory& fleet, std::int64_t now, Work& work) {
   work.spend(ops::kDot * fleet.peer_count);
@@ -96,6 +104,7 @@ bool pick_job(FleetMemory& fleet, std::int64_t now, Work& work) {
   }
   if (fleet.announcement != Announcement::kProving) return false;
   fleet.job.kind = JobKind::kOwn;
+  fleet.job.peer = next_to_prove(fleet, work);
   return true;
 }
 
@@ -103,7 +112,10 @@ void answer(FleetMemory& fleet, Consent consent, std::int64_t now) {
   Peer& peer = fleet.peers[fleet.job.peer];
   peer.judged = peer.state.open;
   peer.consent = consent;
-  if (consent == Consent::kYes) peer.held = find_plan(peer, peer.judged);
+  if (consent == Consent::kYes) {
+    peer.held = find_plan(peer, peer.judged);
+    peer.proven = 0;  // not of this
+  }
   end(fleet.job);
   touch(fleet, now);
 }
@@ -120,12 +132,13 @@ void look_beyond_members(FleetMemory& fleet, std::int64_t now, Work& work) {
 }
 
 /// Nothing is left to be proven in this turn: the next turn, the next peer, or the end of the job.
-void go_on(FleetMemory& fleet, std::int64_t now) {
+void go_on(FleetMemory& fleet, std::int64_t now, Work& work) {
   ProofJob& job = fleet.job;
   if (++job.turn < 2) return;
   if (job.kind == JobKind::kJudge) return answer(fleet, Consent::kYes, now);
   job.turn = 0;
-  ++job.peer;
+  fleet.peers[job.peer].proven = next_plan(fleet).name.number;
+  job.peer = next_to_prove(fleet, work);
 }
 
 void look_at_next(FleetMemory& fleet, std::int64_t now, Work& work) {
@@ -137,14 +150,14 @@ void look_at_next(FleetMemory& fleet, std::int64_t now, Work& work) {
     if (peer.link.binds && !is_ready(fleet, peer)) return drop(fleet, FleetBlock::kSilent, peer.id, now);
   }
   Question question{};
-  ask(fleet, question) ? begin_proof(fleet, question, work) : go_on(fleet, now);
+  ask(fleet, question) ? begin_proof(fleet, question, work) : go_on(fleet, now, work);
 }
 
 void prove_on(FleetMemory& fleet, std::int64_t now, Work& work) {
   ProofJob& job = fleet.job;
   if (job.proof.step(work) == Status::kRunning) return;
   job.runs = false;
-  if (job.proof.report().finding == Finding::kNone) return go_on(fleet, now);
+  if (job.proof.report().finding == Finding::kNone) return go_on(fleet, now, work);
   if (job.kind == JobKind::kJudge) return answer(fleet, Consent::kNo, now);
   drop(fleet, FleetBlock::kConflict, fleet.peers[job.peer].id, now);
 }
@@ -160,6 +173,16 @@ void restart_jobs_about(FleetMemory& fleet, std::int32_t peer) noexcept {
   if (job.kind == JobKind::kNone || job.peer != peer) return;
   if (job.kind == JobKind::kJudge) return restart_jobs(fleet);
   job.runs = false;
+  job.turn = 0;
+}
+
+void prove_again(FleetMemory& fleet, std::int32_t peer) noexcept {
+  ProofJob& job = fleet.job;
+  fleet.peers[peer].proven = 0;
+  restart_jobs_about(fleet, peer);
+  // A proof about another member goes on, and then this one has its turn.
+  if (job.kind != JobKind::kOwn || job.runs || job.peer <= peer) return;
+  job.peer = peer;
   job.turn = 0;
 }
 

@@ -43,6 +43,7 @@ void forget_peer(Peer& peer, std::uint16_t id) noexcept {
   peer.state = StateHead{};
   peer.answer = Answer{};
   peer.flown = peer.held = kNoPlan;
+  peer.proven = 0;
   peer.judged = 0;
   peer.consent = Consent::kNone;
   peer.packets = 0;

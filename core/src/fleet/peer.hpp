@@ -35,13 +35,14 @@ struct Link {
 struct Peer {
   std::uint16_t id;
   Link link;
-  std::int64_t heard;       ///< when the newest state came
-  StateHead state;          ///< the newest; of incarnation 0 if none came
-  Answer answer;            ///< in that state, to this vehicle
-  std::int8_t flown;        ///< the plan that it was heard to fly; kNoPlan: not known
-  std::int8_t held;         ///< a plan that this vehicle agreed to, and of which it is not known that it was dropped
-  std::uint32_t judged;     ///< number of the last plan that was judged; 0: none
-  Consent consent;          ///< on that plan
+  std::int64_t heard;    ///< when the newest state came
+  StateHead state;       ///< the newest; of incarnation 0 if none came
+  Answer answer;         ///< in that state, to this vehicle
+  std::int8_t flown;     ///< the plan that it was heard to fly; kNoPlan: not known
+  std::int8_t held;      ///< a plan that this vehicle agreed to, and of which it is not known that it was dropped
+  std::uint32_t proven;  ///< number of the own plan that is clear of what it may be flying, as far as the rules ask for
+  std::uint32_t judged;  ///< number of the last plan that was judged; 0: none
+  Consent consent;       ///< on that plan
   std::uint32_t packets;    ///< of plans that came
   std::uint32_t state_crc;  ///< of the newest state's bytes
   std::int32_t state_size;  ///< 0: none came

@@ -56,7 +56,8 @@ void update_link(FleetMemory& fleet, Peer& peer, double stay, std::int64_t now) 
   const bool binds = (is_near && link.is_mutual) || now <= link.promised;
   if (binds != link.binds && !is_open(fleet)) {
     link.binds = binds;
-    restart_jobs(fleet);
+    prove_again(fleet, static_cast<std::int32_t>(&peer - fleet.peers));
+    prove_from(fleet.job, peer.id);
   }
   if (is_offered(peer) != was_offered) touch(fleet, now);
 }

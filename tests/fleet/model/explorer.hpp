@@ -115,6 +115,7 @@ class Vehicles {
     for (tern::Peer& peer : memory.peers) {
       peer.heard = 0;
       peer.packets = 0;
+      if (memory.announcement != tern::Announcement::kProving) peer.proven = 0;
       for (std::uint32_t& packet : peer.last_packet) packet = 0;
       without_padding(peer.link);
       without_padding(peer.state);
