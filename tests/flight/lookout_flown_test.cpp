@@ -158,6 +158,7 @@ TEST(FlightLookout, IsHopelessAfterSearchesInVain) {
   Stuck room;
   room.set_seen(true);
   Lookouts& look = room.look();
+  const FlightFacts& facts = room.state().facts;
   // All of the way is known: it leads on, once before what was tried is forgotten and once after.
   const auto search_in_vain = [&] {
     const int before = look.in_vain;
@@ -168,15 +169,34 @@ TEST(FlightLookout, IsHopelessAfterSearchesInVain) {
     look.search.answer = LookoutAnswer::kNoSight;
   };
   for (int k = 0; k < 2 * kInVain; ++k) {
-    EXPECT_FALSE(look.is_hopeless()) << k;
+    EXPECT_FALSE(look.is_hopeless(facts)) << k;
     search_in_vain();
   }
-  EXPECT_TRUE(look.is_hopeless());
+  EXPECT_TRUE(look.is_hopeless(facts));
   look.search.answer = LookoutAnswer::kNoWay;
-  EXPECT_FALSE(look.is_hopeless()) << "it may be cut off";
+  EXPECT_FALSE(look.is_hopeless(facts)) << "it may be cut off";
   look.learned -= kLearned;
   search_in_vain();
-  EXPECT_FALSE(look.is_hopeless());
+  EXPECT_FALSE(look.is_hopeless(facts));
+}
+
+/// No lookout is left: a hundred plans to and fro, and there is no hope; unless they show something, or there is a
+/// lookout again.
+TEST(FlightLookout, IsHopelessToAndFroAfterTheLast) {
+  Stuck room;
+  Lookouts& look = room.look();
+  FlightFacts& facts = room.state().facts;
+  look.left = 0;
+  look.learned = facts.map.learned();
+  facts.itinerary.wandering = look.wandering_due + kPlansAfterLast - 1;
+  EXPECT_FALSE(look.is_hopeless(facts));
+  ++facts.itinerary.wandering;
+  EXPECT_TRUE(look.is_hopeless(facts));
+  look.learned -= kPlansAfterLast * kLearned;
+  EXPECT_FALSE(look.is_hopeless(facts));
+  look.learned += kPlansAfterLast * kLearned;
+  look.left = 1;
+  EXPECT_FALSE(look.is_hopeless(facts));
 }
 
 /// On the way to a lookout, the vehicle flies only as far as it gets.

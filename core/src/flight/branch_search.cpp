@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "flight/foresight.hpp"
+#include "grid/distance.hpp"
 
 namespace tern {
 namespace {
@@ -16,6 +17,19 @@ double earliest_branch(const FlightFacts& flight, const Draft& draft) {
 
 /// A plan to a lookout moves a resting vehicle by so many voxels at least: the lookout may be in the next one.
 constexpr double kLeastLookOut = 0.5;
+
+/// The price of a brake straight ahead: three segments, and the peaks of their derivatives.
+constexpr Operations kBrakeOperations = 28 * ops::kCurve;
+
+/// Most brakes that cannot be proven end in what nobody saw.
+bool ends_clear(const FlightFacts& flight, const Draft& draft, Work& work) {
+  const Grid& safe = flight.map.safe();
+  const Vec3 end = safe.to_local(draft.plan.end());
+  const Voxel voxel = safe.voxel_of(end);
+  if (!safe.inside(voxel) || safe.obstacle(voxel)) return false;
+  work.spend(clear_operations(safe.spec(), kZero, safe.spec().clearance()));
+  return point_clear(safe, end, safe.spec().clearance());
+}
 
 }  // namespace
 
@@ -35,7 +49,7 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
   while (is_proving || candidate + 1 < kBranches * kBranchShapes) {
     if (!is_proving) {
       if (!work.left()) return Progress::kMore;
-      work.spend(kStopOperations / 2);
+      work.spend(kBrakeOperations);
       ++candidate;
       is_proving = make_candidate(flight, start, draft, work);
       continue;
@@ -54,6 +68,7 @@ bool BranchSearch::make_candidate(const FlightFacts& flight, const Vec3& start, 
   const int from_last = candidate / kBranchShapes;
   const double at = off_joints(draft.plan.planned, reached - (reached - earliest) * from_last / kBranches);
   return at > earliest && draft.branch_off(flight, at, candidate % kBranchShapes) && leads_on(flight, start, draft) &&
+         ends_clear(flight, draft, work) &&
          !meets_thing(draft.plan.trajectory, at, draft.plan.tubes, flight.map.safe().spec().clearance(), work) &&
          draft.begin_proof(flight, draft.plan.trajectory, at) == Status::kRunning;
 }

@@ -189,6 +189,14 @@ void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
   learned = flight.map.learned();
 }
 
+bool Lookouts::is_hopeless(const FlightFacts& flight) const noexcept {
+  const bool has_no_sight = is_last_try && in_vain >= 2 * kInVain && search.answer == LookoutAnswer::kNoSight;
+  const bool has_none_left = left == 0 && phase == LookoutPhase::kIdle &&
+                             flight.itinerary.wandering >= wandering_due + kPlansAfterLast &&
+                             flight.map.learned() - learned < kPlansAfterLast * kLearned;
+  return has_no_sight || has_none_left;
+}
+
 bool Lookouts::searches_again(const FlightFacts& flight) noexcept {
   found_nothing = false;
   is_last_try = true;
@@ -203,11 +211,25 @@ bool Lookouts::may_help(const FlightFacts& flight) const noexcept {
 }
 
 bool Lookouts::has_unseen(const FlightFacts& flight, Vec3& centre) const noexcept {
+  if (left == 0 && last_needed(flight, centre)) return true;
   const std::int32_t entry = tried.most_tried(flight.map);
   const bool is_hidden = search.answer == LookoutAnswer::kNoSight && search.has_needed && found_nothing;
   if (entry >= 0) centre = tried.voxel[entry].centre;
   if (entry < 0 && is_hidden) centre = search.needed;
   return entry >= 0 || is_hidden;
+}
+
+/// Of what the last lookout should have shown, the voxel nearest to the next point that is still unseen.
+bool Lookouts::last_needed(const FlightFacts& flight, Vec3& centre) const noexcept {
+  const Vec3 goal = goal_of(flight);
+  bool found = false;
+  for (std::int32_t k = 0; k < search.lookout.hidden_count; ++k) {
+    const Vec3& hidden = search.lookout.hidden[k];
+    if (!is_unseen_at(flight.map, hidden) || (found && distance(centre, goal) <= distance(hidden, goal))) continue;
+    centre = hidden;
+    found = true;
+  }
+  return found;
 }
 
 }  // namespace tern

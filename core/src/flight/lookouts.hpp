@@ -23,6 +23,8 @@ constexpr double kNearer = 0.5;
 /// Searches in a row that showed nothing and learned less than kLearned words of the map, after which what was tried is
 /// forgotten, once, and after as many more of which there is no hope.
 constexpr int kInVain = 3;
+/// Plans that may follow the last lookout without coming nearer, if they learn less than kLearned words each.
+constexpr int kPlansAfterLast = 100;
 /// A search without anything unseen leads along the way that is known: the vehicle has come to its end within this
 /// distance, metres.
 constexpr double kPassed = 1.0;
@@ -108,12 +110,12 @@ struct Lookouts {
   bool searches_again(const FlightFacts& flight) noexcept;
   /// Another lookout may still help a vehicle that rests.
   bool may_help(const FlightFacts& flight) const noexcept;
-  /// However often a lookout was sought, what the way needs can be seen from nowhere.
-  bool is_hopeless() const noexcept {
-    return is_last_try && in_vain >= 2 * kInVain && search.answer == LookoutAnswer::kNoSight;
-  }
-  /// Writes the voxel that no view shows: one that was looked at in vain or, if there is none, one that can be seen
-  /// from nowhere. False if it is not for want of a view that the vehicle rests.
+  /// However often a lookout was sought, what the way needs can be seen from nowhere; or there are no more lookouts,
+  /// and the vehicle flies to and fro.
+  bool is_hopeless(const FlightFacts& flight) const noexcept;
+  /// Writes the voxel that no view shows: one that the last of all lookouts should have shown, one that was looked at
+  /// in vain or, if there is none, one that can be seen from nowhere. False if it is not for want of a view that the
+  /// vehicle rests.
   bool has_unseen(const FlightFacts& flight, Vec3& centre) const noexcept;
   /// The place to look at from `position`, world frame. Only while it is active.
   Vec3 look_at(const Vec3& position) const noexcept;
@@ -126,6 +128,7 @@ struct Lookouts {
   void end(const FlightFacts& flight, bool looked, bool failed) noexcept;
   void note_aligned(const FlightFacts& flight, const Nose& nose) noexcept;
   bool accept(const FlightFacts& flight) noexcept;
+  bool last_needed(const FlightFacts& flight, Vec3& centre) const noexcept;
 };
 
 }  // namespace tern

@@ -34,7 +34,7 @@ bool FlightState::look_out() noexcept {
   const bool is_called_for = !search.wants_survey(facts) && lookouts.is_called_for(facts, nose, plans);
   if (is_called_for) lookouts.begin(facts, nose, search.look_at);
   if (lookouts.is_searching()) lookouts.advance(facts, tick_work);
-  if (lookouts.is_hopeless()) park(FlightReason::kNoProgress);
+  if (lookouts.is_hopeless(facts)) park(FlightReason::kNoProgress);
   return facts.itinerary.parked || lookouts.is_searching() || lookouts.needs_no_plan(facts);
 }
 

@@ -26,6 +26,12 @@ IndexRange voxels_around(double center, double radius, std::int32_t count) {
   return {floor_index(center - radius, 0, count), ceil_index(center + radius, 0, count)};
 }
 
+bool same_words(const std::uint64_t* a, const std::uint64_t* b, std::int32_t count) {
+  std::uint64_t difference = 0;
+  for (std::int32_t k = 0; k < count; ++k) difference |= a[k] ^ b[k];
+  return difference == 0;
+}
+
 }  // namespace
 
 Status RouteCopy::bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept {
@@ -61,8 +67,8 @@ IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexc
   return voxels_around(center_.x, square_root(rest), grid_.spec().dims.x);
 }
 
-/// Copies a row, and returns how many words changed.
-std::int32_t RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
+/// Most rows are far from the vehicle, and equal to what was copied before.
+RouteCopy::Changed RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const Grid& route = map.route();
   const std::int32_t rows_along_y = grid_.spec().dims.y;
   const std::int32_t y = row % rows_along_y;
@@ -71,15 +77,16 @@ std::int32_t RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexce
   const IndexRange hole = contains(hole_[1], y) && contains(hole_[2], z) ? hole_[0] : kNone;
   const IndexRange emptied = emptied_voxels(y, z);
   const std::uint64_t* const hit = route.obstacle_row(y, z);
-  const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
   const std::uint64_t* const before = grid_.obstacle_row(y, z);
-  std::int32_t changed = 0;
+  Changed changed{0, near.begin < near.end || emptied.begin < emptied.end ? 1 : 0};
+  if (changed.composed == 0 && same_words(hit, before, grid_.row_words())) return changed;
+  const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
   for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
     const std::uint64_t unseen = solid[k] & bits_met(near, k) & ~bits_met(hole, k);
     const std::uint64_t word = (hit[k] | unseen) & ~bits_met(emptied, k);
     if (word == before[k]) continue;
     GridWords(grid_).store(y, z, k, word);
-    ++changed;
+    ++changed.words;
   }
   return changed;
 }
@@ -95,8 +102,14 @@ void RouteCopy::advance(const RollingMap& map, Work& work) noexcept {
   const std::int32_t left = rows - row_;
   const std::int32_t count = rows_of_piece(grid_.row_words()) < left ? rows_of_piece(grid_.row_words()) : left;
   std::int32_t changed = 0;
-  for (std::int32_t n = 0; n < count; ++n) changed += copy_row(map, row_++);
-  work.spend((3 * ops::kRow + 7 * ops::kWord * grid_.row_words()) * count + 28 * ops::kWord * changed);
+  std::int32_t made = 0;
+  for (std::int32_t n = 0; n < count; ++n) {
+    const Changed row = copy_row(map, row_++);
+    changed += row.words;
+    made += row.composed != 0 || row.words > 0 ? 1 : 0;
+  }
+  const Operations words = ops::kWord * grid_.row_words();
+  work.spend((ops::kRow + words) * count + (2 * ops::kRow + 6 * words) * made + 28 * ops::kWord * changed);
 }
 
 }  // namespace tern
