@@ -71,7 +71,7 @@ struct Interval {
 /// and not below 0.2 microseconds. Unproven if too many pieces are left; `when` is among them.
 template <class RoomAt, class IsSure>
 Proof stays_above(Real least, const Interval& whole, const RoomAt& room_at, const IsSure& is_sure, Real& when) {
-  constexpr int kMostPieces = 100000;
+  constexpr int kMostPieces = 2000000;
   constexpr Real kShortest = 2e-7L;
   std::vector<Interval> open{whole};
   for (int pieces = 0; !open.empty(); ++pieces) {
