@@ -143,7 +143,8 @@ class Maze {
       }
     }
     return all + record_line("start", {0.5 * kSide, 0.5 * kSide, 1.2}) +
-           record_line("goal", {kSide * (kColumns - 0.5), kSide * (kRows - 0.5), 1.2});
+           record_line("goal", {kSide * (kColumns - 0.5), kSide * (kRows - 0.5), 1.2}) +
+           "window 38.4 20 8\n";  // a way round must not leave it
   }
 
  private:
