@@ -21,6 +21,11 @@ void follow_seed(const Trajectory& seed, double slack, Chain& chain) {
   place_via_joints(chain);
 }
 
+/// Seconds that the goal is to stay clear.
+double rest_at_goal(const Problem& problem) {
+  return at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
+}
+
 /// Where the plan rests besides: while it stops first, and at its vias.
 void set_pauses(const Problem& problem, const EndStop& start_stop, const Chain& chain, Scene& scene) {
   for (double& pause : scene.pause) pause = 0.0;
@@ -67,13 +72,34 @@ void halve_segments(const Trajectory& alone, int most, Trajectory& seed) noexcep
   }
 }
 
+Progress look_at_goal(const Problem& problem, const Ends& ends, Around& around, Work& work) noexcept {
+  const Things things = things_of(problem, problem.asked.start.position);
+  const double rest = rest_at_goal(problem);
+  const double step = ((kLongestFlood - 1.0) * around.alone + rest) / kGoalInstants;
+  for (; around.instant <= kGoalInstants; ++around.instant) {
+    if (!work.left()) return Progress::kMore;
+    const double time = around.alone + around.instant * step;
+    Operations spent = ops::kPiece;
+    bool is_covered = false;
+    for (std::int32_t j = 0; j < things.count && !is_covered; ++j) {
+      const Track& track = things.tracks[j];
+      spent += ops::kPiece + ops::kTurn * track.piece_count;
+      is_covered = is_too_near(things, track, ends.goal.position, time);
+    }
+    work.spend(spent);
+    if (is_covered) around.soonest = time + step;
+    if (time - around.soonest >= rest) return Progress::kDone;
+  }
+  return Progress::kDone;
+}
+
 void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& seed,
                   double slack, CurveMemory& memory) noexcept {
   follow_seed(seed, slack, memory.chain);
   Scene& scene = memory.scene;
   scene.things = things_of(problem, problem.asked.start.position);
   scene.reference = &seed;
-  scene.rest = at_rest(problem.asked.goal) ? problem.asked.rest_clear : 0.0;
+  scene.rest = rest_at_goal(problem);
   set_pauses(problem, start_stop, memory.chain, scene);
   TrajectoryQuery query{ends.start, ends.goal, problem.limits, problem.asked.time_weight};
   query.scene = &scene;

@@ -7,6 +7,8 @@
 #ifndef TERN_PLANNER_AROUND_HPP
 #define TERN_PLANNER_AROUND_HPP
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "planner/curves.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/problem.hpp"
@@ -43,10 +45,13 @@ struct Around {
   Quality quality = Quality::kNone;  ///< of the plan that was made as if nothing moved
   Status optimiser = Status::kOk;
   Status lacking = Status::kOk;  ///< a capacity that did not suffice
+  bool is_looking = false;       ///< the stage `tracks` looks when the goal is clear
   bool is_flooding = false;      ///< the stage `tracks` looks for a way
   bool is_last = false;          ///< what is checked now is the answer, if it is clear
   std::int32_t seed = 0;         ///< floods that were begun
   double alone = 0.0;            ///< s that the plan as if nothing moved takes
+  std::int32_t instant = 0;      ///< of that look, the next one
+  double soonest = 0.0;          ///< s: when the goal is clear and stays so, not before `alone`
   double found = 0.0;            ///< s that the plan in the first corridor takes; 0: there is none
 };
 
@@ -73,6 +78,12 @@ constexpr double kAroundSlack = 1.04;
 constexpr double kLongestWhole = 1.8;
 /// A plan that lasts longer than that one by no more than this factor is good enough.
 constexpr double kGoodEnough = 1.02;
+/// So is one that arrives later than the goal is clear by no more than this factor: a thing that leaves it is still in
+/// the way of the approach.
+constexpr double kGoodArrival = 1.045;
+/// If the goal is clear later than that plan arrives by more than this factor, no plan in its corridor and near its
+/// durations helps.
+constexpr double kTooEarly = 1.06;
 /// A flood at full speed looks for no ways that take longer by more than this factor; slower ones look further.
 constexpr double kLongestFlood = 1.6;
 
@@ -83,6 +94,13 @@ void bring_back(const Kept& kept, Path& path, ViaMarks& marks, Corridor& corrido
 /// Makes the first seed of the plan as if nothing moved: the same curve in `most` segments at most, or as many as it
 /// has.
 void halve_segments(const Trajectory& alone, int most, Trajectory& seed) noexcept;
+
+/// Instants at which the goal is looked at.
+constexpr std::int32_t kGoalInstants = 96;
+
+/// Looks from when on the goal is clear for as long as the plan is to rest there: Around::soonest. A piece of work is
+/// an instant. kMore or kDone.
+Progress look_at_goal(const Problem& problem, const Ends& ends, Around& around, Work& work) noexcept;
 
 /// Makes the chain and the scene of the seed, and begins its trajectory. The times stage has run: the memory has the
 /// corridor and the chain's ends and vias. The durations are `slack` times those of the seed, which must stay until the

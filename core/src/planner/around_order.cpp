@@ -4,7 +4,9 @@
 // What follows a stage while a plan around things is made. First the plan as if nothing moved is the seed; if that
 // gives no plan, or one that lasts much longer, ways from the flood in time are, one after the other.
 //
-//   times -> trajectory -> check -> the plan, or the next seed: tracks (flood) -> corridor -> times -> ...
+//   tracks (when is the goal clear?) -> times -> trajectory -> check -> the plan, or the next seed:
+//   tracks (flood) -> corridor -> times -> ...
+#include "base/math.hpp"
 #include "planner/layout.hpp"
 #include "planner/pipeline.hpp"
 
@@ -18,17 +20,22 @@ void Pipeline::begin_around() noexcept {
   around.is_active = true;
   around.quality = quality_;
   around.optimiser = optimiser_;
-  around.alone = duration(memory.trajectory);
+  around.alone = around.soonest = duration(memory.trajectory);
   keep(memory.path, memory.vias.marks, memory.corridor, memory.around.alone);
   const Trajectory& alone = memory.around.alone.trajectory;
   const int stops_and_dwells = memory.trajectory.count - alone.count;
   halve_segments(alone, kMaxSegments - stops_and_dwells, memory.around.seed);
-  enter(Stage::kTimes);
+  around.is_looking = true;
+  enter(Stage::kTracks);
 }
 
 void Pipeline::go_on_around(bool done) noexcept {
   Layout& memory = *memory_;
   Around& around = attempts_.around;
+  if (around.is_looking) {
+    around.is_looking = false;
+    return around.soonest > kTooEarly * around.alone ? next_seed() : enter(Stage::kTimes);
+  }
   around.is_flooding = false;
   if (stage_ == Stage::kTrajectory && curves_.status == Status::kSeparationsFull) around.lacking = curves_.status;
   if (stage_ == Stage::kTracks) {
@@ -62,7 +69,8 @@ void Pipeline::judge_around(bool is_clear) noexcept {
   if (!is_clear) return next_seed();
   const double lasts = duration(memory.trajectory);
   const bool is_first = around.seed == 0 && !around.is_last;
-  if (is_first && lasts > kGoodEnough * around.alone) {
+  const double enough = larger(kGoodEnough * around.alone, kGoodArrival * around.soonest);
+  if (is_first && lasts > enough) {
     memory.around.found = memory.trajectory;
     for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];
     around.found = lasts;

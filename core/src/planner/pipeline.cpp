@@ -198,7 +198,7 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kTracks:
-      if (attempts_.around.is_flooding) return;
+      if (attempts_.around.is_looking || attempts_.around.is_flooding) return;
       return waiting_begin(problem_, m.stops, conflict_, m.trajectory, m.vias, attempts_.waiting);
     case Stage::kRequest:
     case Stage::kWorld:
@@ -234,6 +234,7 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kReach:
       return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
     case Stage::kTracks:
+      if (attempts_.around.is_looking) return look_at_goal(problem_, m.ends, attempts_.around, work);
       if (attempts_.around.is_flooding) {
         return timed_seed_advance(problem_, m.ends, m.stage.flood, m.around.timed, work);
       }

@@ -5,6 +5,7 @@
 #include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
+#include "planner/around.hpp"
 #include "planner/detour.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/hints.hpp"
@@ -173,7 +174,8 @@ StageBound timed_bound(std::int32_t count, const GridSpec& spec) noexcept {
   if (count == 0) return {0, 0};
   const Operations sight = ops::kPiece + 2 * ops::kTurn * (spec.dims.y + Operations{spec.dims.z});
   const Operations leg = sight + kMaxFloodLayers * (ops::kPiece + ops::kDot) * Operations{kMaxThings};
-  return {kTimedSeeds * (kFloodPieces + kMaxFloodLayers * kMaxFloodLayers), kFloodOperations + leg};
+  const std::uint64_t floods = kTimedSeeds * (kFloodPieces + kMaxFloodLayers * kMaxFloodLayers);
+  return {floods + kGoalInstants + 1, kFloodOperations + leg};
 }
 
 StageBound tracks_bound(std::int32_t count) noexcept {

@@ -23,7 +23,7 @@ namespace tern {
 /// Floods that are tried: slower ones, and ones that keep off things by less or by more.
 constexpr int kTimedSeeds = 7;
 /// If there is a plan already, only so many.
-constexpr int kFastSeeds = 3;
+constexpr int kFastSeeds = 2;
 
 /// A way through all vias: a flood for each leg, which begins when the one before has arrived and dwelt.
 struct TimedSeed {

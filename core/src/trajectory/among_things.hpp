@@ -26,7 +26,7 @@ constexpr double kLongestStepAmongThings = kShortestStep;
 constexpr double kLongestAmongThings = 1.6;
 
 /// A programme among things that takes more iterations has no solution, nearly always.
-constexpr int kIterationsAmongThings = 300;
+constexpr int kIterationsAmongThings = 200;
 
 /// True if the programme is among things, and has taken that many.
 bool takes_too_long(const TrajectoryStage& stage) noexcept;
