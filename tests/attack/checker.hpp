@@ -58,10 +58,10 @@ void check_ends(const World& world, const tern::Request& request, const tern::Tr
 /// for.
 void check_vias(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
                 const tern::Report& answer, Findings& findings);
-/// The plan keeps clear of the request's tracks until `until`, seconds since its beginning, but of those that it begins
-/// too near to.
+/// The plan keeps clear of the request's tracks until `until`, seconds since its beginning. If it may leave those that
+/// it begins too near to, it must come no nearer to them for that long, or until kLeaveTime.
 void check_tracks(const World& world, const tern::Request& request, const tern::Trajectory& plan, double until,
-                  const char* what, Findings& findings);
+                  bool may_leave, const char* what, Findings& findings);
 /// evaluate() and duration() against the control points, at `samples` times from `rng`.
 void check_evaluate(Rng& rng, const World& world, const tern::Trajectory& trajectory, int samples, Findings& findings);
 

@@ -209,7 +209,7 @@ TEST_F(Checker, Tracks) {
   request.track_count = 1;
   const auto count = [&](double until) {
     Findings findings;
-    check_tracks(world, request, plan, until, "plan", findings);
+    check_tracks(world, request, plan, until, false, "plan", findings);
     return findings.size();
   };
   EXPECT_EQ(count(8.0), 0u);

@@ -85,7 +85,8 @@ struct Pair {
     const Real errors = growth + track.error_speed + track.error_growth * std::max<Real>(0, known(to));
     if (track.piece_count == 0) return fastest + length(point(track.velocity)) + errors;
     const Real sum = fastest + its().most(1, from, to);
-    if (!own.lasts_until(part.end) || !its().lasts_until(to)) return sum + errors;
+    const bool turns_on = own.lasts_until(part.end) && its().lasts_until(to) && known(to) >= to;
+    if (!turns_on) return sum + errors;
     // Where one follows the other, their velocities are nearly equal.
     const Real middle = (part.begin + part.end) / 2;
     const Real parting = length(own.velocity(middle) - its().velocity(since(middle))) +
@@ -140,13 +141,21 @@ Track make_thing(Rng& rng, const World& world, const Ask& ask) {
 }  // namespace
 
 void check_tracks(const World& world, const tern::Request& request, const tern::Trajectory& plan, double until,
-                  const char* what, Findings& findings) {
-  constexpr Real kSlack = 1e-8L;  // a plan is granted 2 nm, and any other curve 4
-  for (int k = 0; k < request.track_count; ++k) {
-    const Pair pair{plan, request.tracks[k], world.radius()};
-    if (pair.present(until).begin <= 0 && pair.gap(0) < -kSlack) continue;  // it leaves that one
+                  bool may_leave, const char* what, Findings& findings) {
+  constexpr Real kSlack = 1e-8L;     // a plan is granted 2 nm, and any other curve 4
+  constexpr Real kLeaveTime = 1.0L;  // docs/tracks.md
+  for (int k = 0; k < request.track_count && until > 0.0; ++k) {
+    Track thing = request.tracks[k];
+    Pair pair{plan, thing, world.radius()};
+    Real end = until * (1 - 1e-13L);
+    const bool leaves = may_leave && pair.present(until).begin <= 0 && pair.gap(0) < -kSlack;
+    if (leaves) {  // by the distance from the thing's curve, whatever its error
+      thing.error = thing.error_speed = thing.error_growth = thing.reach = 0.0;
+      pair.radius += pair.gap(0);
+      end = std::min(end, kLeaveTime);
+    }
     Real when = 0;
-    const Proof proof = stays_clear(pair, until * (1 - 1e-13L), kSlack, when);
+    const Proof proof = stays_clear(pair, end, kSlack, when);
     if (proof == Proof::kProven) continue;
     report(findings, proof == Proof::kBroken ? "track" : "track_unproven",
            "%s: %.3Lg m too near to track %d after %.9Lf s of %.9f", what, -pair.gap(when), k, when, until);
@@ -185,7 +194,7 @@ void attack_tracks(Context& context, Rng& own, tern::Planner& planner, const Wor
     grounds.fences = request.fences;
     grounds.fence_count = request.fence_count;
     const double until = tern::clear_until(out, 0.0, grounds);
-    check_tracks(world, request, out, until, "proof", context.findings);
+    check_tracks(world, request, out, until, false, "proof", context.findings);
     check_windows(world, request, out, until, "proof", context.findings);
   }
   tern::Report answer;
@@ -208,11 +217,11 @@ void attack_tracks(Context& context, Rng& own, tern::Planner& planner, const Wor
   check_plan(context.rng, world, request, out, 0.0, context.findings);
   check_vias(world, request, out, answer, context.findings);
   const double end = tern::duration(out);
-  check_tracks(world, request, out, end + request.rest_clear, "plan", context.findings);
+  check_tracks(world, request, out, end + request.rest_clear, true, "plan", context.findings);
   check_windows(world, request, out, end + request.rest_clear, "plan", context.findings);
   const double rest = std::min(answer.rest_clear_until, end + 100.0);
   if (rest < end) report(context.findings, "track", "rest_clear_until %.9g before the end, %.9g", rest, end);
-  check_tracks(world, request, out, rest, "rest", context.findings);
+  check_tracks(world, request, out, rest, true, "rest", context.findings);
   check_windows(world, request, out, rest, "rest", context.findings);
 }
 

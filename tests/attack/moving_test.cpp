@@ -31,7 +31,7 @@ class Moving : public testing::Test {
     request.tracks = &thing_;
     request.track_count = 1;
     Findings findings;
-    check_tracks(world_, request, plan_, until, "plan", findings);
+    check_tracks(world_, request, plan_, until, false, "plan", findings);
     return findings.empty() ? "" : findings[0].kind;
   }
 

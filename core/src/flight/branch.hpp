@@ -8,6 +8,7 @@
 #define TERN_FLIGHT_BRANCH_HPP
 
 #include "base/bounds.hpp"
+#include "base/work.hpp"
 #include "curve/brake.hpp"
 #include "curve/hermite.hpp"
 #include "curve/stopping.hpp"
@@ -64,6 +65,12 @@ constexpr int kEvasions = kStraight + kSlowDowns;
 ///
 /// False if there is no room, or if no such brake keeps the limits.
 bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;
+
+/// The price of a brake straight ahead: three segments, and the peaks of their derivatives.
+constexpr Operations kBrakeOperations = 28 * ops::kCurve;
+/// The price of append_flat_stop() with a limit on jerk: seven times to settle, each with a search for the sharpest
+/// ramp. Without one, a quarter.
+constexpr Operations kFlatStopOperations = 300 * ops::kCurve;
 
 /// The same with flatter ramps: where only the limit on jerk makes them long, they are a fifth shorter.
 bool append_flat_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;

@@ -18,11 +18,10 @@ double earliest_branch(const FlightFacts& flight, const Draft& draft) {
 /// A plan to a lookout moves a resting vehicle by so many voxels at least: the lookout may be in the next one.
 constexpr double kLeastLookOut = 0.5;
 
-/// The price of a brake straight ahead: three segments, and the peaks of their derivatives.
-constexpr Operations kBrakeOperations = 28 * ops::kCurve;
-
-/// Most brakes that cannot be proven end in what nobody saw.
+/// Most brakes that cannot be proven end in what nobody saw. A vehicle that has something within its radius may end
+/// there, too.
 bool ends_clear(const FlightFacts& flight, const Draft& draft, Work& work) {
+  if (draft.plan.hemmed_in) return true;
   const Grid& safe = flight.map.safe();
   const Vec3 end = safe.to_local(draft.plan.end());
   const Voxel voxel = safe.voxel_of(end);
@@ -49,8 +48,8 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
   while (is_proving || candidate + 1 < kBranches * kBranchShapes) {
     if (!is_proving) {
       if (!work.left()) return Progress::kMore;
-      work.spend(kBrakeOperations);
       ++candidate;
+      work.spend(draft.branch_operations(flight, candidate % kBranchShapes));
       is_proving = make_candidate(flight, start, draft, work);
       continue;
     }

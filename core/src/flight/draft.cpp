@@ -67,11 +67,24 @@ void Draft::follow_to_end(double until) noexcept {
   plan.branch = until;
 }
 
+namespace {
+
+bool ends_flat(const Draft& draft, int way) {
+  return way == 0 && draft.plan.tubes.count > 0;
+}
+
+}  // namespace
+
+Operations Draft::branch_operations(const FlightFacts& flight, int way) const noexcept {
+  if (!ends_flat(*this, way)) return kBrakeOperations;
+  return limits_anything(flight.limits.jerk) ? kFlatStopOperations : kFlatStopOperations / 4;
+}
+
 bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
   plan.branch = at;
   take_first_part(plan.planned, at, plan.trajectory);
   const JointState joint = joint_at(plan.planned, at, plan.planned.origin);
-  if (way == 0 && plan.tubes.count > 0) {
+  if (ends_flat(*this, way)) {
     if (!append_flat_stop(joint, flight.limits, plan.trajectory)) return false;
     return plan.trajectory.segments[plan.trajectory.count - 1].duration >= kShortestRamp;
   }

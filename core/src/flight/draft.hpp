@@ -43,6 +43,8 @@ struct Draft {
   void list_passages(const Aim& aim, const Report& found, const Trajectory& planned) noexcept;
   /// Follows the planner's plan to its end, which is `until` seconds from its beginning.
   void follow_to_end(double until) noexcept;
+  /// The price of branch_off().
+  Operations branch_operations(const FlightFacts& flight, int way) const noexcept;
   /// Follows the planner's plan until `at`, then brakes in one of kBranchShapes ways. Among things that move, the first
   /// one is the flat stop: what a thing may do grows with the time that a brake takes. False if there is no such brake.
   bool branch_off(const FlightFacts& flight, double at, int way) noexcept;
