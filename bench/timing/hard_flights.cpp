@@ -212,11 +212,11 @@ bool print_hard_flights(FlightMemory& memory) {
   const Vec3 edge{0.0, 0.0, 1.5};
   const Vec3 other_edge{28.0, 0.0, 1.5};
   const HardFlight flights[] = {
-      {"flight_storey", storey, full, Sensor::kCamera, corner, other_corner, 16.0},
+      {"flight_storey", storey, full, Sensor::kCamera, corner, other_corner, 20.0},
       {"flight_thicket", thicket, full, Sensor::kCamera, edge, other_edge, 12.0},
       {"flight_lidar", thicket, full, Sensor::kLidar, edge, other_edge, 12.0},
       {"flight_crowd", thicket, full, Sensor::kCamera, edge, other_edge, 12.0, tern::kMaxFlightTracks},
-      {"flight_storey_mcu", storey, small, Sensor::kCamera, corner, other_corner, 16.0},
+      {"flight_storey_mcu", storey, small, Sensor::kCamera, corner, other_corner, 20.0},
       {"flight_thicket_mcu", thicket, small, Sensor::kCamera, edge, other_edge, 12.0},
   };
   bool flown = true;
