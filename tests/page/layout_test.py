@@ -201,7 +201,7 @@ def check_colours(tab, page):
     show(tab, page, width=800, height=600)
     # A dropped plan is drawn for a moment, the braking manoeuvre is longest at full speed.
     times = tab.run("[...page.runs[0].film.dropped.map((drop) => drop.t + 0.05), "
-                    "...Array.from({length: 11}, (_, i) => page.player.end * (i + 1) / 12)]")
+                    "...Array.from({length: 47}, (_, i) => page.player.end * (i + 1) / 48)]")
     for theme in ("light", "dark"):
         tab.run(f"page.setTheme('{theme}')")
         names = ["known", "commit", "brake", "dropped", "seen"]
