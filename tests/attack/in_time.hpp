@@ -67,8 +67,8 @@ struct Interval {
 };
 
 /// Broken if `room_at` is below `least` at some time of the interval, which `when` gets. Pieces are halved, but not
-/// those of which `is_sure(piece, room in its middle)` says that no time of them can be such a one,
-/// and not below 0.2 microseconds. Unproven if too many pieces are left; `when` is among them.
+/// those of which `is_sure(piece, room in its middle)` says that no time of them can be such a one, and not below 0.2
+/// microseconds. Unproven if too many pieces are left; `when` is among them.
 template <class RoomAt, class IsSure>
 Proof stays_above(Real least, const Interval& whole, const RoomAt& room_at, const IsSure& is_sure, Real& when) {
   constexpr int kMostPieces = 2000000;

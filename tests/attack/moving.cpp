@@ -138,10 +138,6 @@ Track make_thing(Rng& rng, const World& world, const Ask& ask) {
   return track;
 }
 
-}  // namespace
-
-namespace {
-
 /// For kLeaveTime, a plan that leaves a thing comes no nearer to its curve, whatever the error: at a thousand instants.
 void check_leaving(const tern::Trajectory& plan, Track thing, double until, const char* what, Findings& findings) {
   constexpr Real kLeaveTime = 1.0L;  // docs/tracks.md

@@ -6,6 +6,7 @@
 
 #include "attack/attack_case.hpp"
 #include "attack/in_time.hpp"
+#include "attack/straight_plan.hpp"
 
 namespace tern_attack {
 namespace {
@@ -17,21 +18,18 @@ class Moving : public testing::Test {
  protected:
   Moving() {
     world_.spec.radius = 0.5;
-    plan_.count = 1;
-    plan_.segments[0].duration = 2.0;
-    for (int k = 0; k < tern::kControlPoints; ++k) plan_.segments[0].points[k] = {4.0 * k / 7.0, 0.0, 0.0};
     thing_.shape = tern::TrackShape::kBall;
     thing_.radius = 0.5;
     thing_.end = tern::TrackEnd::kGoesOn;
   }
 
   /// The kind of what is found, or nothing.
-  std::string found(double until) {
+  std::string found(double until, bool may_leave = false) {
     tern::Request request;
     request.tracks = &thing_;
     request.track_count = 1;
     Findings findings;
-    check_tracks(world_, request, plan_, until, false, "plan", findings);
+    check_tracks(world_, request, plan_, until, may_leave, "plan", findings);
     return findings.empty() ? "" : findings[0].kind;
   }
 
@@ -44,7 +42,7 @@ class Moving : public testing::Test {
   }
 
   World world_;
-  tern::Trajectory plan_{};
+  tern::Trajectory plan_ = straight_plan();
   tern::Track thing_{};
 };
 
@@ -98,6 +96,15 @@ TEST_F(Moving, DoesAsItLikesLater) {
   EXPECT_EQ(found(4.001), "track");
   thing_.end = tern::TrackEnd::kStays;
   EXPECT_EQ(found(100.0), "");
+}
+
+/// It begins 0.2 m too near. Straight ahead of a thing beside it, it leads away; towards one in front of it, nearer.
+TEST_F(Moving, LeavesWhatItBeginsTooNearTo) {
+  thing_.position = {0.0, 0.8, 0.0};
+  EXPECT_EQ(found(2.0), "track");
+  EXPECT_EQ(found(2.0, true), "");
+  thing_.position = {0.8, 0.0, 0.0};
+  EXPECT_EQ(found(2.0, true), "track");
 }
 
 /// A vehicle that follows, for two hours and a millimetre beside what is too near, takes few halvings.

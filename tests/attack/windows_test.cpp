@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "attack/straight_plan.hpp"
+
 namespace tern_attack {
 namespace {
 
@@ -14,9 +16,6 @@ class Windows : public testing::Test {
  protected:
   Windows() {
     world_.spec.radius = 0.5;
-    plan_.count = 1;
-    plan_.segments[0].duration = 2.0;
-    for (int k = 0; k < tern::kControlPoints; ++k) plan_.segments[0].points[k] = {4.0 * k / 7.0, 0.0, 0.0};
     tern::box_planes({{2.0, -1.0, -1.0}, {2.5, 1.0, 1.0}}, wall_);
     tern::box_planes({{-1.0, -1.0, -1.0}, {3.0, 1.0, 1.0}}, room_);
   }
@@ -35,7 +34,7 @@ class Windows : public testing::Test {
   }
 
   World world_;
-  tern::Trajectory plan_{};
+  tern::Trajectory plan_ = straight_plan();
   double until_ = 2.0;
   tern::Halfspace wall_[tern::kBoxPlanes];
   tern::Halfspace room_[tern::kBoxPlanes];

@@ -18,6 +18,11 @@ constexpr double kLaterAtPoint = 0.25;
 /// level off in a fraction of a millisecond. Only a threat is worth such a jolt.
 constexpr double kShortestRamp = 0.004;
 
+/// What a thing may do grows with the time that a brake takes, so the first brake among things is the flat one.
+bool ends_flat(const Draft& draft, int way) {
+  return way == 0 && draft.plan.tubes.count > 0;
+}
+
 }  // namespace
 
 void Draft::begin(const FlightFacts& flight, std::int64_t ticks) noexcept {
@@ -66,14 +71,6 @@ void Draft::follow_to_end(double until) noexcept {
   plan.trajectory = plan.planned;
   plan.branch = until;
 }
-
-namespace {
-
-bool ends_flat(const Draft& draft, int way) {
-  return way == 0 && draft.plan.tubes.count > 0;
-}
-
-}  // namespace
 
 Operations Draft::branch_operations(const FlightFacts& flight, int way) const noexcept {
   if (!ends_flat(*this, way)) return kBrakeOperations;

@@ -68,7 +68,7 @@ IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexc
 }
 
 /// Most rows are far from the vehicle, and equal to what was copied before.
-RouteCopy::Changed RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
+RouteCopy::CopiedRow RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const Grid& route = map.route();
   const std::int32_t rows_along_y = grid_.spec().dims.y;
   const std::int32_t y = row % rows_along_y;
@@ -78,17 +78,18 @@ RouteCopy::Changed RouteCopy::copy_row(const RollingMap& map, std::int32_t row) 
   const IndexRange emptied = emptied_voxels(y, z);
   const std::uint64_t* const hit = route.obstacle_row(y, z);
   const std::uint64_t* const before = grid_.obstacle_row(y, z);
-  Changed changed{0, near.begin < near.end || emptied.begin < emptied.end ? 1 : 0};
-  if (changed.composed == 0 && same_words(hit, before, grid_.row_words())) return changed;
+  const bool is_far = near.begin >= near.end && emptied.begin >= emptied.end;
+  if (is_far && same_words(hit, before, grid_.row_words())) return {0, false};
+  std::int32_t changed = 0;
   const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
   for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
     const std::uint64_t unseen = solid[k] & bits_met(near, k) & ~bits_met(hole, k);
     const std::uint64_t word = (hit[k] | unseen) & ~bits_met(emptied, k);
     if (word == before[k]) continue;
     GridWords(grid_).store(y, z, k, word);
-    ++changed.words;
+    ++changed;
   }
-  return changed;
+  return {changed, true};
 }
 
 bool RouteCopy::done() const noexcept {
@@ -102,14 +103,14 @@ void RouteCopy::advance(const RollingMap& map, Work& work) noexcept {
   const std::int32_t left = rows - row_;
   const std::int32_t count = rows_of_piece(grid_.row_words()) < left ? rows_of_piece(grid_.row_words()) : left;
   std::int32_t changed = 0;
-  std::int32_t made = 0;
+  std::int32_t composed = 0;
   for (std::int32_t n = 0; n < count; ++n) {
-    const Changed row = copy_row(map, row_++);
-    changed += row.words;
-    made += row.composed != 0 || row.words > 0 ? 1 : 0;
+    const CopiedRow row = copy_row(map, row_++);
+    changed += row.changed;
+    composed += row.is_composed ? 1 : 0;
   }
   const Operations words = ops::kWord * grid_.row_words();
-  work.spend((ops::kRow + words) * count + (2 * ops::kRow + 6 * words) * made + 28 * ops::kWord * changed);
+  work.spend((ops::kRow + words) * count + (2 * ops::kRow + 6 * words) * composed + 28 * ops::kWord * changed);
 }
 
 }  // namespace tern

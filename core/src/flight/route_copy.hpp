@@ -32,13 +32,13 @@ class RouteCopy {
   const Grid& grid() const noexcept { return grid_; }
 
  private:
-  struct Changed {
-    std::int32_t words;     ///< that changed
-    std::int32_t composed;  ///< 1 if the row holds more than what was hit
+  struct CopiedRow {
+    std::int32_t changed;  ///< words
+    bool is_composed;      ///< false if it was enough to compare
   };
 
   IndexRange emptied_voxels(std::int32_t y, std::int32_t z) const noexcept;
-  Changed copy_row(const RollingMap& map, std::int32_t row) noexcept;
+  CopiedRow copy_row(const RollingMap& map, std::int32_t row) noexcept;
 
   Grid grid_;
   IndexRange hole_[3];

@@ -11,10 +11,16 @@
 
 namespace tern_model {
 
-/// Bytes between members may have any value.
+/// Makes all bytes 0, and returns what they held: bytes between members may have any value.
+template <class Value>
+Value take_out(Value& value) {
+  const Value copy = value;
+  std::memset(static_cast<void*>(&value), 0, sizeof value);
+  return copy;
+}
+
 inline void without_padding(tern::PlanName& name) {
-  const tern::PlanName copy = name;
-  std::memset(static_cast<void*>(&name), 0, sizeof name);
+  const tern::PlanName copy = take_out(name);
   name.id = copy.id;
   name.incarnation = copy.incarnation;
   name.number = copy.number;
@@ -22,8 +28,7 @@ inline void without_padding(tern::PlanName& name) {
 }
 
 inline void without_padding(tern::Beacon& beacon, bool counts) {
-  const tern::Beacon copy = beacon;
-  std::memset(static_cast<void*>(&beacon), 0, sizeof beacon);
+  const tern::Beacon copy = take_out(beacon);
   if (!counts) return;
   beacon.id = copy.id;
   beacon.radius = copy.radius;
@@ -33,8 +38,7 @@ inline void without_padding(tern::Beacon& beacon, bool counts) {
 }
 
 inline void without_padding(tern::Link& link) {
-  const tern::Link copy = link;
-  std::memset(static_cast<void*>(&link), 0, sizeof link);
+  const tern::Link copy = take_out(link);
   link.own = copy.own;
   link.its = copy.its;
   link.is_near = copy.is_near;
@@ -45,8 +49,7 @@ inline void without_padding(tern::Link& link) {
 }
 
 inline void without_padding(tern::StateHead& state) {
-  const tern::StateHead copy = state;
-  std::memset(static_cast<void*>(&state), 0, sizeof state);
+  const tern::StateHead copy = take_out(state);
   state.id = copy.id;
   state.incarnation = copy.incarnation;
   state.counter = copy.counter;
@@ -62,8 +65,7 @@ inline void without_padding(tern::StateHead& state) {
 /// Without a proof that is over. One that runs points into its fleet, which lies in the same place when it goes on.
 inline void without_proof(tern::ProofJob& job) {
   if (job.runs) return;
-  const tern::ProofJob copy = job;
-  std::memset(static_cast<void*>(&job), 0, sizeof job);
+  const tern::ProofJob copy = take_out(job);
   job.kind = copy.kind;
   job.peer = copy.peer;
   job.heard = copy.heard;
