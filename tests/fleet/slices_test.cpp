@@ -59,6 +59,17 @@ class FleetSlices : public FleetRangePair {
       hear(0, {beacon_of(static_cast<std::uint16_t>(3 + k), place, now_)});
     }
   }
+  /// Both by list: 1 has these members, and 2 has 1.
+  void begin_by_list(const std::vector<std::uint16_t>& members) {
+    for (const int v : {0, 1}) {
+      tern::FleetSpec by_list = spec(v);
+      by_list.range = tern::FleetRange{};
+      ASSERT_EQ(fleet(v).begin(by_list, resting(place(v, 10.0), 0), now_), tern::Status::kOk);
+    }
+    for (const std::uint16_t member : members) fleet(0).add(member, now_);
+    fleet(1).add(1, now_);
+    for (const int v : {0, 1, 0, 1}) say(v);
+  }
   void expect_same(tern::Fleet& a, tern::Fleet& b) {
     EXPECT_EQ(a.report().announcement, b.report().announcement);
     EXPECT_EQ(a.report().blocked, b.report().blocked);
@@ -149,16 +160,59 @@ TEST_F(FleetSlices, WhoFliesSomethingElseIsProvenAgainAndNobodyElseIs) {
   EXPECT_EQ(fleet(0).report().announcement, Announcement::kOpen);
 }
 
-/// By list. The proof is put off when 3 is removed, and before it goes on, 2 asks for the place to which it leads.
-TEST_F(FleetSlices, WhatIsAgreedToBetweenProofsIsProvenAsWell) {
-  for (const int v : {0, 1}) {
-    tern::FleetSpec by_list = spec(v);
-    by_list.range = tern::FleetRange{};
-    ASSERT_EQ(fleet(v).begin(by_list, resting(place(v, 10.0), 0), now_), tern::Status::kOk);
-    fleet(v).add(static_cast<std::uint16_t>(2 - v), now_);
+/// Else nobody among many members would ever get through: in every tick, one of them parts.
+TEST_F(FleetSlices, WhoPartsLeavesProofsAboutOthersAsTheyAre) {
+  begin(15.0);
+  go_on(2.0);
+  hear(0, {beacon_of(7, {0, 90, 1}, now_), beacon_of(9, {0, 90, 1}, now_)});
+  for (const std::uint16_t id : {11, 12, 13}) {
+    hear(0, {beacon_of(id, {0, 15, 1}, now_)});
+    advance(0);
   }
-  fleet(0).add(3, now_);
-  for (const int v : {0, 1, 0, 1}) say(v);
+  ASSERT_EQ(fleet(0).neighbours(), 4);
+  const std::int64_t takeover = now_ + kSecond;
+  ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {0, -2, 1}, takeover, 4.0), takeover, now_), tern::Status::kOk);
+  const tern::ProofJob& job = tern::memory_of(fleet(0))->job;
+  const auto part = [&](std::uint16_t id) {
+    now_ += kSecond / 50;
+    hear(0, {beacon_of(id, {0, 90, 1}, now_)});
+    advance_without_proofs(fleet(0), now_);
+  };
+  for (int k = 0; k < 1000 && !job.runs; ++k) advance_a_piece(fleet(0), now_);
+  part(11);
+  EXPECT_TRUE(job.runs) << "the proof about 2 goes on";
+  EXPECT_EQ(job.peer, 0);
+  for (int k = 0; k < 1000 && job.peer < 1; ++k) advance_a_piece(fleet(0), now_);
+  part(13);
+  ASSERT_EQ(fleet(0).neighbours(), 2);
+  ASSERT_EQ(job.peer, 1);
+  EXPECT_EQ(tern::memory_of(fleet(0))->peers[1].id, 12) << "2 is done, and 12 is not";
+  for (int k = 0; k < 1000 && job.heard <= 7; ++k) advance_a_piece(fleet(0), now_);
+  part(12);
+  EXPECT_EQ(job.heard, 8) << "2 and 7 are done";
+  EXPECT_EQ(job.peer, 1);
+  advance(0);
+  EXPECT_EQ(fleet(0).report().announcement, Announcement::kOpen);
+}
+
+/// By list.
+TEST_F(FleetSlices, AnAnswerIsWorkedOutWhileAnotherMemberIsRemoved) {
+  begin_by_list({3, 2});
+  fly(1, {10, 0, 1}, {10, 5, 1}, 4.0);
+  say(1);
+  const tern::ProofJob& job = tern::memory_of(fleet(0))->job;
+  for (int k = 0; k < 1000 && !job.runs; ++k) advance_a_piece(fleet(0), now_);
+  ASSERT_EQ(job.peer, 1);
+  fleet(0).remove(3, now_);
+  EXPECT_TRUE(job.runs);
+  advance(0);
+  say(0);
+  EXPECT_TRUE(fleet(1).report().cleared);
+}
+
+/// By list. 2 asks for the place to which a plan leads that is clear of 2 and not yet of 3; then 3 is removed.
+TEST_F(FleetSlices, WhoAsksBetweenProofsIsAnsweredAfterThem) {
+  begin_by_list({2, 3});
   const std::int64_t takeover = now_ + kSecond;
   ASSERT_EQ(fleet(0).announce(straight({0, 0, 1}, {10, 5, 1}, takeover, 4.0), takeover, now_), tern::Status::kOk);
   for (int k = 0; k < 1000 && tern::memory_of(fleet(0))->job.peer == 0; ++k) advance_a_piece(fleet(0), now_);
@@ -167,7 +221,10 @@ TEST_F(FleetSlices, WhatIsAgreedToBetweenProofsIsProvenAsWell) {
   say(1);
   fleet(0).remove(3, now_);
   advance(0);
-  expect_dropped(0, FleetBlock::kConflict, 2);
+  EXPECT_EQ(fleet(0).report().announcement, Announcement::kOpen);
+  say(0);
+  advance(1);
+  expect_dropped(1, FleetBlock::kRefused, 1);
 }
 
 /// Who comes while others are being proven clear of is proven clear of, too: at its first beacon, and where beacons of

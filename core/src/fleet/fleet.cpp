@@ -96,9 +96,7 @@ Status Fleet::remove(std::uint16_t id, std::int64_t now) noexcept {
   if (p == fleet->peer_count) return Status::kInvalidArgument;
   if (fleet->removed_count < kMaxNeighbours) fleet->removed[fleet->removed_count] = id;
   ++fleet->removed_count;
-  const std::int32_t last = --fleet->peer_count;
-  if (p != last) fleet->peers[p] = fleet->peers[last];
-  restart_jobs(*fleet);
+  take_out_peer(*fleet, p);
   touch(*fleet, now);
   return Status::kOk;
 }

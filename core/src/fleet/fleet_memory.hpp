@@ -112,6 +112,8 @@ void restart_jobs_about(FleetMemory& fleet, std::int32_t peer) noexcept;
 /// The plan that is announced is to be proven clear of the peer once more.
 void prove_again(FleetMemory& fleet, std::int32_t peer) noexcept;
 void restart_jobs(FleetMemory& fleet) noexcept;
+/// A member is none any more. Only a proof about it ends: those about all others stay valid.
+void take_out_peer(FleetMemory& fleet, std::int32_t peer) noexcept;
 
 }  // namespace tern
 

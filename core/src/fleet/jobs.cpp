@@ -86,11 +86,15 @@ std::int32_t next_to_judge(const FleetMemory& fleet, std::int64_t now) {
 }
 
 /// The peer of which the plan that is announced is to be proven clear next; peer_count: none.
-std::int32_t next_to_prove(const FleetMemory& fleet, Work& work) {
-  work.spend(ops::kTurn * fleet.peer_count);
+std::int32_t first_unproven(const FleetMemory& fleet) {
   std::int32_t p = 0;
   while (p < fleet.peer_count && fleet.peers[p].proven == next_plan(fleet).name.number) ++p;
   return p;
+}
+
+std::int32_t next_to_prove(const FleetMemory& fleet, Work& work) {
+  work.spend(ops::kTurn * fleet.peer_count);
+  return first_unproven(fleet);
 }
 
 /// False if there is nothing to do.
@@ -184,6 +188,19 @@ void prove_again(FleetMemory& fleet, std::int32_t peer) noexcept {
   if (job.kind != JobKind::kOwn || job.runs || job.peer <= peer) return;
   job.peer = peer;
   job.turn = 0;
+}
+
+void take_out_peer(FleetMemory& fleet, std::int32_t peer) noexcept {
+  ProofJob& job = fleet.job;
+  const std::int32_t last = --fleet.peer_count;
+  restart_jobs_about(fleet, peer);
+  if (peer != last) fleet.peers[peer] = fleet.peers[last];
+  if (job.kind == JobKind::kOwn && !job.runs) {
+    job.peer = first_unproven(fleet);
+    job.turn = 0;
+  } else if (job.peer == last) {
+    job.peer = peer;
+  }
 }
 
 void work_on_jobs(FleetMemory& fleet, std::int64_t now, Work& work) noexcept {

@@ -21,12 +21,10 @@ void add_member(FleetMemory& fleet, Beacon& beacon, std::int64_t now) {
 }
 
 void remove_member(FleetMemory& fleet, std::int32_t p, std::int64_t now, Work& work) {
-  work.spend(ops::kElement * static_cast<Operations>(sizeof(Peer) / sizeof(double)));
+  work.spend(ops::kElement * static_cast<Operations>(sizeof(Peer) / sizeof(double)) + ops::kTurn * fleet.peer_count);
   Beacon* const beacon = find_beacon(fleet.beacons, fleet.peers[p].id);
   if (beacon != nullptr) beacon->is_member = false;
-  const std::int32_t last = --fleet.peer_count;
-  if (p != last) fleet.peers[p] = fleet.peers[last];
-  restart_jobs(fleet);
+  take_out_peer(fleet, p);
   touch(fleet, now);
 }
 

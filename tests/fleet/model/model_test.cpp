@@ -128,16 +128,27 @@ Setting out_of_range() {
   return setting;
 }
 
+/// A third one comes where the first one is about to be, or goes out of range of both others and comes back.
+Setting three_in_range() {
+  Setting setting = in_range();
+  setting.vehicles = 3;
+  setting.places[2] = {0.0, 34.0, 0.0};
+  setting.targets[2] = {{0.0, 46.0, 0.0}, {0.0, 34.0, 0.0}, {1.0, 0.5, 0.0}};
+  setting.priorities = {0, 1, 0};
+  return setting;
+}
+
 void expect_sound_walks(const char* name, const Setting& setting) {
   // Never so few that no plan is taken over at a small scale.
   const int walks = std::max(40, tern_test::scaled(setting.in_slices ? 200 : 400));
-  const int steps = setting.in_slices ? 1500 : 300;
+  const int steps = setting.in_slices ? 750 * setting.vehicles : 300;
   const tern_model::Walked walked = tern_model::walk(setting, walks, steps, 1);
-  std::printf("%s: %zu worlds, plans taken over %zu and %zu\n", name, walked.worlds, walked.taken[0], walked.taken[1]);
+  std::printf("%s: %zu worlds, plans taken over:", name, walked.worlds);
+  for (int v = 0; v < setting.vehicles; ++v) std::printf(" %zu", walked.taken[v]);
+  std::printf("\n");
   EXPECT_EQ(walked.unsafe, 0) << name;
   EXPECT_EQ(walked.stuck, 0) << name;
-  EXPECT_GT(walked.taken[0], 0u);
-  EXPECT_GT(walked.taken[1], 0u);
+  for (int v = 0; v < setting.vehicles; ++v) EXPECT_GT(walked.taken[v], 0u) << v;
 }
 
 TEST(FleetModel, WalksByRange) {
@@ -163,6 +174,12 @@ TEST(FleetModel, WalksByRangeWithProofsInSlices) {
   setting = out_of_range();
   setting.in_slices = true;
   expect_sound_walks("out of range, in slices", setting);
+}
+
+TEST(FleetModel, WalksOfThreeByRangeWithProofsInSlices) {
+  Setting setting = three_in_range();
+  setting.in_slices = true;
+  expect_sound_walks("three by range, in slices", setting);
 }
 
 TEST(FleetModel, ByRange) {

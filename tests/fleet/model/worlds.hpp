@@ -50,7 +50,7 @@ class Worlds {
   /// One step of those that next() knows, at random. Time goes on in a fifth of them, and plans are announced so seldom
   /// that most are decided about before the next one. In slices, most steps are pieces of proofs.
   void stray(World& world, tern_test::Random& random) {
-    if (setting_.in_slices && random.chance(0.8)) {
+    if (setting_.in_slices && random.chance(1.0 - 0.4 / setting_.vehicles)) {
       act(world, random.integer(0, setting_.vehicles - 1), Act::kProve, 0);
       return;
     }
