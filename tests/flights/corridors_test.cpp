@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -152,41 +153,75 @@ TEST(Corridors, ThatAreTooNarrowAreSaidToBe) {
     EXPECT_NE(flown.result.blocked_by, tern::BlockedBy::kNothing);
     EXPECT_EQ(flown.result.narrow.axis, c.axis) << flown.result.narrow.text();
     EXPECT_LT(flown.result.narrow.free, c.needed - 0.05);
-    EXPECT_NEAR(flown.result.narrow.plan, c.needed, 1e-9);
+    EXPECT_NEAR(flown.result.narrow.width, c.needed, 1e-9);
     EXPECT_NEAR(flown.result.narrow.vehicle, 0.7, 1e-9);
   }
 }
 
-/// A slot is called narrow if no voxel in it is one that a plan may pass, and only then.
-TEST(NarrowPlace, IsOneWithoutAVoxelForAPlan) {
-  for (const double cell : {0.1, 0.2}) {
-    const int needed = cell < 0.15 ? 9 : 5;
-    for (int free = 2; free <= needed + 1; ++free) {
-      tern_test::OwnedGrid owned(tern_test::whole_grid({64, 24, 24}, cell, 0.35));
-      ASSERT_EQ(owned.status, tern::Status::kOk);
-      for (int x = 0; x < 64; ++x) {
-        for (int z = 0; z < 24; ++z) {
-          owned.grid.mark_voxel({x, 0, z});
-          owned.grid.mark_voxel({x, 1 + free, z});
-        }
-      }
-      owned.grid.inflate();
-      tern::FlightReport report{};
-      report.blocked_by = tern::BlockedBy::kObstacle;
-      report.blocked_at = owned.grid.center({32, 0, 12});
-      const Vec3 rest = owned.grid.center({32, 1 + free / 2, 12});
-      bool fits = false;
-      for (int y = 1; y < 1 + free; ++y) fits = fits || owned.grid.free({32, y, 12});
-      EXPECT_EQ(fits, free >= needed);
-      for (const Vec3& place : {rest, report.blocked_at}) {  // the second one is in the wall
-        const tern_host::NarrowPlace narrow = tern_host::narrow_place(owned.grid, report, place);
-        EXPECT_EQ(narrow.axis, fits ? 0 : 'y') << free;
-        EXPECT_NEAR(narrow.free, fits ? 0.0 : free * cell, 1e-9);
-      }
-      report.blocked_by = tern::BlockedBy::kWindow;
-      EXPECT_EQ(tern_host::narrow_place(owned.grid, report, rest).axis, 0);
+/// Two rooms with a wall of two voxels between them, from x = 30 on, and the voxels of that wall in which a gap is.
+template <typename IsGap>
+void build_wall(tern_test::OwnedGrid& owned, IsGap is_gap) {
+  ASSERT_EQ(owned.status, tern::Status::kOk);
+  for (int y = 0; y < 24; ++y) {
+    for (int z = 0; z < 24; ++z) {
+      if (is_gap(y, z)) continue;
+      owned.grid.mark_voxel({30, y, z});
+      owned.grid.mark_voxel({31, y, z});
     }
   }
+}
+
+/// A gap is called narrow if a plan may pass no voxel in it, and only then.
+TEST(NarrowPlace, IsAGapWithoutAVoxelForAPlan) {
+  for (const double cell : {0.1, 0.2}) {
+    const int needed = cell < 0.15 ? 9 : 5;
+    for (int free = 1; free <= needed + 1; ++free) {
+      tern_test::OwnedGrid owned(tern_test::whole_grid({64, 24, 24}, cell, 0.35));
+      build_wall(owned, [free](int y, int) { return y >= 3 && y < 3 + free; });
+      const Vec3 rest = owned.grid.center({10, 12, 12});
+      const Vec3 goal = owned.grid.center({55, 12, 12});
+      const tern_host::NarrowPlace narrow = tern_host::narrow_place(owned.grid, rest, goal);
+      EXPECT_EQ(narrow.found, free < needed) << free;
+      if (free >= needed) continue;
+      EXPECT_EQ(narrow.axis, 'y');
+      EXPECT_NEAR(narrow.free, free * cell, 1e-9);
+      EXPECT_NEAR(narrow.width, needed * cell, 1e-9);
+      EXPECT_NEAR(narrow.at.x, 31.0 * cell, 0.51 * cell);  // the wall's middle
+      EXPECT_FALSE(tern_host::narrow_place(owned.grid, goal, goal).found);
+    }
+  }
+}
+
+// Of two gaps, the wider one is named. Without one, or from within the wall, nothing is.
+TEST(NarrowPlace, IsOnTheWidestWay) {
+  tern_test::OwnedGrid two(tern_test::whole_grid({64, 24, 24}, 0.2, 0.35));
+  build_wall(two, [](int y, int) { return (y >= 3 && y < 5) || (y >= 17 && y < 21); });
+  const Vec3 rest = two.grid.center({10, 4, 12});
+  const Vec3 goal = two.grid.center({55, 4, 12});
+  const tern_host::NarrowPlace wider = tern_host::narrow_place(two.grid, rest, goal);
+  EXPECT_NEAR(wider.free, 0.8, 1e-9);
+  EXPECT_GT(wider.at.y, 3.4);
+  EXPECT_FALSE(tern_host::narrow_place(two.grid, two.grid.center({30, 12, 12}), goal).found);
+  tern_test::OwnedGrid closed(tern_test::whole_grid({64, 24, 24}, 0.2, 0.35));
+  build_wall(closed, [](int, int) { return false; });
+  EXPECT_FALSE(tern_host::narrow_place(closed.grid, rest, goal).found);
+}
+
+// A square of five voxels is wide enough, but not without its corners: those are within the radius of its middle.
+TEST(NarrowPlace, MayBeWideEnoughAlongEachAxis) {
+  tern_test::OwnedGrid owned(tern_test::whole_grid({64, 24, 24}, 0.2, 0.35));
+  build_wall(owned, [](int y, int z) {
+    const int off_y = std::abs(y - 12);
+    const int off_z = std::abs(z - 12);
+    return off_y <= 2 && off_z <= 2 && off_y + off_z < 4;
+  });
+  const tern_host::NarrowPlace narrow =
+      tern_host::narrow_place(owned.grid, owned.grid.center({10, 12, 12}), owned.grid.center({55, 12, 12}));
+  EXPECT_TRUE(narrow.found);
+  EXPECT_EQ(narrow.axis, 0);
+  EXPECT_NEAR(narrow.gap, 0.2 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(narrow.at.y, 2.5, 1e-9);
+  EXPECT_NE(narrow.text().find("the widest way passes 0.28 m"), std::string::npos) << narrow.text();
 }
 
 }  // namespace

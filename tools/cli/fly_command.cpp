@@ -134,7 +134,7 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
               mean);
   if (!result.reached()) std::printf("why: %s\n", result.reason.c_str());
   if (result.blocked_by != tern::BlockedBy::kNothing) std::printf("in the way: %s\n", result.blocked().c_str());
-  if (result.narrow.axis != 0) std::printf("too narrow: %s\n", result.narrow.text().c_str());
+  if (result.narrow.found) std::printf("too narrow: %s\n", result.narrow.text().c_str());
   if (!result.reached()) print_in_vain(result.looked_in_vain);
   if (!world.vias.empty()) print_mission(result);
   print_things(world, result.things);

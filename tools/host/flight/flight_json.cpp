@@ -134,14 +134,19 @@ Json contact_json(const FlightContact& c) {
   return json;
 }
 
+Json narrow_json(const NarrowPlace& narrow) {
+  Json json = {{"at", {narrow.at.x, narrow.at.y, narrow.at.z}}, {"gap", narrow.gap}, {"width_needed", narrow.width}};
+  if (narrow.axis != 0) {
+    json["along"] = std::string(1, narrow.axis);
+    json["free"] = narrow.free;
+  }
+  return json;
+}
+
 Json blocked_json(const FlightResult& result) {
   const tern::Vec3& at = result.blocked_at;
   Json blocked = {{"by", tern::blocked_by_text(result.blocked_by)}, {"at", {at.x, at.y, at.z}}};
   if (result.blocked_fence != tern::kNoFence) blocked["fence"] = result.blocked_fence;
-  const NarrowPlace& narrow = result.narrow;
-  if (narrow.axis != 0) {
-    blocked["narrow"] = {{"along", std::string(1, narrow.axis)}, {"free", narrow.free}, {"needed", narrow.plan}};
-  }
   return blocked;
 }
 
@@ -210,6 +215,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
   if (column.radius > 0.0) json["column"] = {column.base.z, column.radius, column.height};
   if (world.landing.speed > 0.0) json["land"] = {world.landing.ground, world.landing.speed};
   if (result.blocked_by != tern::BlockedBy::kNothing) json["blocked"] = blocked_json(result);
+  if (!result.reached() && result.narrow.found) json["narrow"] = narrow_json(result.narrow);
   if (!result.reached() && !result.looked_in_vain.empty()) json["looked_in_vain"] = in_vain_json(result.looked_in_vain);
   if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);

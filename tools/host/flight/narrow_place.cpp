@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "host/flight/vectors.hpp"
+#include "host/flight/widest_way.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -35,38 +37,40 @@ int free_beside(const Grid& grid, Voxel voxel, int axis, int sign, int most) {
 }  // namespace
 
 std::string NarrowPlace::text() const {
-  if (axis == 0) return "";
-  return std::string("along ") + axis + ", " + fixed(free, 2) + " m are known to be free " +
-         (at_vehicle ? "where the vehicle rests" : "beside that") + "; the vehicle needs " + fixed(vehicle, 2) +
-         " m, and with voxels of " + brief(cell) + " m " + fixed(plan, 2) + " m";
+  if (!found) return "";
+  const std::string where = "at " + fixed(at.x, 2) + " " + fixed(at.y, 2) + " " + fixed(at.z, 2) + ", ";
+  const std::string takes = brief(cell) + " m, that takes " + fixed(width, 2) + " m";
+  if (axis == 0) {
+    return where + "the widest way passes " + fixed(gap, 2) +
+           " m from what is not known to be free; the vehicle keeps " + fixed(0.5 * vehicle, 2) +
+           " m from it; with voxels of " + takes + " along each axis";
+  }
+  return where + fixed(free, 2) + " m are known to be free along " + axis + "; the vehicle needs " + fixed(vehicle, 2) +
+         " m; with voxels of " + takes;
 }
 
-NarrowPlace narrow_place(const Grid& safe, const tern::FlightReport& report, const tern::Vec3& rest) {
-  const bool is_voxel =
-      report.blocked_by == tern::BlockedBy::kUnseen || report.blocked_by == tern::BlockedBy::kObstacle;
-  if (!is_voxel || !safe.bound()) return {};
+NarrowPlace narrow_place(const Grid& safe, const tern::Vec3& rest, const tern::Vec3& goal) {
+  if (!safe.bound()) return {};
+  const WidestWay way = widest_way(safe, safe.to_local(rest), safe.to_local(goal));
+  if (way.voxels.empty()) return {};
   const double keeps = safe.spec().clearance();
   const double cell = safe.spec().cell;
   const int needed = 2 * static_cast<int>(std::ceil(keeps / cell - kVoxelRounding)) + 1;
-  const Voxel here = safe.voxel_of(safe.to_local(rest));
-  const Voxel there = safe.voxel_of(safe.to_local(report.blocked_at));
-  NarrowPlace best;
+  NarrowPlace place{true, {}, way.gap, 0, 0.0, 2.0 * keeps, needed * cell, cell};
+  Voxel narrowest = way.narrowest;
   int count = needed;
-  const auto take = [&](int axis, bool at_vehicle, int row) {
-    count = row;
-    best = {"xyz"[axis], at_vehicle, row * cell, 2.0 * keeps, needed * cell, cell};
-  };
-  for (int axis = 0; axis < 3 && is_free(safe, here); ++axis) {
-    const int row = 1 + free_beside(safe, here, axis, 1, needed) + free_beside(safe, here, axis, -1, needed);
-    if (row < count) take(axis, true, row);
+  for (const Voxel& voxel : way.voxels) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int row = 1 + free_beside(safe, voxel, axis, 1, needed) + free_beside(safe, voxel, axis, -1, needed);
+      if (row >= count) continue;
+      count = row;
+      narrowest = voxel;
+      place.axis = "xyz"[axis];
+      place.free = row * cell;
+    }
   }
-  if (best.at_vehicle) return best;
-  count = 0;
-  for (int k = 0; k < 6; ++k) {
-    const int row = free_beside(safe, there, k / 2, k % 2 == 0 ? 1 : -1, needed);
-    if (row > count && row < needed) take(k / 2, false, row);
-  }
-  return best;
+  place.at = along(safe.spec().origin, 1.0, safe.center(narrowest));
+  return place;
 }
 
 }  // namespace tern_host

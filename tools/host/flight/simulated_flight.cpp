@@ -73,7 +73,7 @@ class Simulation {
     result.blocked_fence = report_.blocked_fence;
     result.looked_in_vain.resize(static_cast<std::size_t>(flight_.looked_in_vain(nullptr, 0)));
     flight_.looked_in_vain(result.looked_in_vain.data(), static_cast<std::int32_t>(result.looked_in_vain.size()));
-    result.narrow = narrow_place(map_.safe(), report_, flight_.rest_position());
+    result.narrow = narrow_place(map_.safe(), flight_.rest_position(), world_.goal);
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
