@@ -215,7 +215,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
   if (column.radius > 0.0) json["column"] = {column.base.z, column.radius, column.height};
   if (world.landing.speed > 0.0) json["land"] = {world.landing.ground, world.landing.speed};
   if (result.blocked_by != tern::BlockedBy::kNothing) json["blocked"] = blocked_json(result);
-  if (!result.reached() && result.narrow.found) json["narrow"] = narrow_json(result.narrow);
+  if (result.narrow.found) json["narrow"] = narrow_json(result.narrow);
   if (!result.reached() && !result.looked_in_vain.empty()) json["looked_in_vain"] = in_vain_json(result.looked_in_vain);
   if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);

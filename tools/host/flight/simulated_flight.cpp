@@ -73,7 +73,11 @@ class Simulation {
     result.blocked_fence = report_.blocked_fence;
     result.looked_in_vain.resize(static_cast<std::size_t>(flight_.looked_in_vain(nullptr, 0)));
     flight_.looked_in_vain(result.looked_in_vain.data(), static_cast<std::int32_t>(result.looked_in_vain.size()));
-    result.narrow = narrow_place(map_.safe(), flight_.rest_position(), world_.goal);
+    const bool is_voxel =
+        report_.blocked_by == tern::BlockedBy::kUnseen || report_.blocked_by == tern::BlockedBy::kObstacle;
+    if (result.status == "stuck" && is_voxel) {
+      result.narrow = narrow_place(map_.safe(), flight_.rest_position(), world_.goal);
+    }
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();

@@ -70,7 +70,7 @@ struct FlightResult {
   tern::Vec3 blocked_at{};                                 ///< and where
   std::int32_t blocked_fence = tern::kNoFence;
   std::vector<tern::UnseenVoxel> looked_in_vain;  ///< at the end, as tern::Flight says
-  NarrowPlace narrow;                             ///< beside a voxel that is in the way
+  NarrowPlace narrow;                             ///< if the vehicle gave up and a voxel is in its way
   double time = 0.0;                              ///< seconds
   double length = 0.0;
   double min_clearance = 0.0;

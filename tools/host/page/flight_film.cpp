@@ -169,7 +169,7 @@ RunJson FlightFilm::facts(const FlightResult& result) const {
   add("status", result.status);
   if (!result.reached()) add("why", result.reason);
   if (result.is_blocked()) add("in the way", result.blocked());
-  if (!result.reached() && result.narrow.found) add("too narrow", result.narrow.text());
+  if (result.narrow.found) add("too narrow", result.narrow.text());
   add("duration", fixed(result.time, 2) + " s");
   add("length", fixed(result.length, 2) + " m");
   if (std::isfinite(result.min_clearance)) {
