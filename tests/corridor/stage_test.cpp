@@ -30,10 +30,10 @@ class CorridorStageTest : public ::testing::Test {
   }
 
   /// Runs in slices of `slice` units on a scratch full of `fill`.
-  Status run(const MarkedWorld& world, std::uint32_t slice, int fill = 0xA5) {
+  Status run(const MarkedWorld& world, std::uint32_t slice, int fill = 0xA5, bool is_timed = false) {
     std::memset(static_cast<void*>(stage_.get()), fill, sizeof *stage_);
     std::memset(static_cast<void*>(corridor_.get()), fill, sizeof *corridor_);
-    corridor_begin(*stage_, *path_);
+    corridor_begin(*stage_, *path_, nullptr, is_timed);
     for (int i = 0; i < 1000000; ++i) {
       Work work{slice};
       const tern::Progress progress = corridor_advance(*stage_, tern::World(world.grid), *path_, work, *corridor_);
@@ -51,6 +51,14 @@ class CorridorStageTest : public ::testing::Test {
     for (int i = 0; i + 1 < corridor_->count; ++i) {
       expect_same(corridor_->polyhedra[i].to, corridor_->polyhedra[i + 1].from);
     }
+  }
+
+  static bool inside(const Polyhedron& polyhedron, const Vec3& point) {
+    for (int p = 0; p < polyhedron.count; ++p) {
+      const tern::Halfspace& plane = polyhedron.planes[p];
+      if (plane.normal.x * point.x + plane.normal.y * point.y + plane.normal.z * point.z > plane.offset) return false;
+    }
+    return true;
   }
 
   /// Every waypoint is the end of a polyhedron.
@@ -161,6 +169,38 @@ TEST_F(CorridorStageTest, ALongLegIsCutIntoEqualPieces) {
     const Polyhedron& p = corridor_->polyhedra[i];
     EXPECT_NEAR(norm3(minus3(p.to, p.from)), std::sqrt(27.8 * 27.8 + 0.2 * 0.2 + 0.2 * 0.2) / 4.0, 1e-9);
   }
+}
+
+/// Out of a passage, aside, and back. Without time, the polyhedron of the passage spans all that.
+TEST_F(CorridorStageTest, AWayInTimeSkipsNoPlaceOutsideItsPolyhedra) {
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
+  for (int x = 15; x < 40; ++x) {
+    for (int y = 0; y < 40; ++y) {
+      for (int z = 0; z < 40; ++z) {
+        if (y < 15 || y >= 25 || z < 15 || z >= 25) world.mark(x, y, z);
+      }
+    }
+  }
+  set_path({{3.0, 2.0, 2.0},
+            {1.7, 2.0, 2.0},
+            {0.8, 2.0, 2.0},
+            {0.8, 3.2, 2.0},
+            {0.8, 2.0, 2.0},
+            {1.7, 2.0, 2.0},
+            {2.8, 2.0, 2.0},
+            {3.5, 2.0, 2.0}});
+  int skipped[2] = {};
+  for (int is_timed = 0; is_timed < 2; ++is_timed) {
+    ASSERT_EQ(run(world, 1000, 0, is_timed == 1), Status::kOk);
+    expect_chain();
+    int polyhedron = 0;
+    for (int k = 1; k + 1 < path_->count; ++k) {
+      skipped[is_timed] += inside(corridor_->polyhedra[polyhedron], path_->points[k]) ? 0 : 1;
+      if (norm3(minus3(corridor_->polyhedra[polyhedron].to, path_->points[k])) == 0.0) ++polyhedron;
+    }
+  }
+  EXPECT_GT(skipped[0], 0);
+  EXPECT_EQ(skipped[1], 0);
 }
 
 TEST_F(CorridorStageTest, ABlockedLegSaysSo) {

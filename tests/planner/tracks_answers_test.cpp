@@ -44,13 +44,24 @@ TEST_F(Among, SaysWhenACoveredGoalIsFree) {
   EXPECT_EQ(world_.report.goal_free, kForever);
   const tern::StageReport& stage = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)];
   EXPECT_LE(stage.work, stage.bound);
-  // Sooner than the longest wait ends, but by then the way is closed for good.
+  // Sooner than the longest wait ends, but by then the way is closed for good. Unless also the places beside the goal
+  // are, the vehicle waits there.
   parked.until = 30 * kSecond;
   parked.end = TrackEnd::kGone;
+  parked.shape = TrackShape::kCylinder;
+  parked.half.z = 1.0;
   Track closes = ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 3.0);
   closes.measured = 10 * kSecond;
+  Track right = closes;
+  right.shape = TrackShape::kBox;
+  right.position = {7.0, 0.75, 1.05};
+  right.half = {1.0, 0.75, 1.0};
+  Track left = right;
+  left.position.y = 3.35;
   world_.request.rest_clear = 2.0;
-  ASSERT_EQ(plan({parked, closes}), Status::kGoalCovered);
+  EXPECT_EQ(plan({parked, closes}), Status::kOk);
+  expect_plan();
+  ASSERT_EQ(plan({parked, closes, right, left}), Status::kGoalCovered);
   EXPECT_NEAR(world_.report.goal_free, 30.0, 2e-3);
   EXPECT_EQ(plan({ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}, 5.0)}), Status::kStartInContact);
   EXPECT_EQ(world_.report.goal_free, kForever);

@@ -106,8 +106,8 @@ Progress move_on(CorridorStage& stage, const Path& path, double margin, Corridor
   return progress;
 }
 
-/// Drops polyhedra before the last one as long as the last one contains their lines too. The first polyhedron stays,
-/// and so do the first `fixed` ones.
+/// Drops polyhedra before the last one as long as the last one contains their lines too, if not all waypoints that
+/// these lines skip. The first polyhedron stays, and so do the first `fixed` ones.
 void drop_held(Corridor& out, double margin, std::int32_t fixed) {
   while (out.count > 2 && out.count > fixed + 1) {
     const Polyhedron& last = out.polyhedra[out.count - 1];
@@ -138,13 +138,13 @@ Progress end_piece(CorridorStage& stage, const Grid& grid, const Path& path, Cor
   ++stage.built;
   ++out.count;
   const double margin = kSightMargin * grid.spec().cell;
-  drop_held(out, margin, stage.fixed);
+  if (!stage.is_timed) drop_held(out, margin, stage.fixed);
   return move_on(stage, path, margin, out);
 }
 
 }  // namespace
 
-void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks) noexcept {
+void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks, bool is_timed) noexcept {
   stage.status = Status::kOk;
   stage.tries = 0;
   stage.planes_high = 0;
@@ -154,6 +154,7 @@ void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks) noe
   stage.passed = 0;
   stage.at_via = false;
   stage.fixed = 0;
+  stage.is_timed = is_timed;
   stage.leg = -1;
   stage.piece = 0;
   stage.pieces = 0;

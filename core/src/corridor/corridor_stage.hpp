@@ -54,6 +54,7 @@ struct CorridorStage {
   std::int32_t passed;   ///< vias that the current leg begins at or after
   bool at_via;           ///< the current piece begins at a via
   std::int32_t fixed;    ///< polyhedra before the one that begins at the last via
+  bool is_timed;         ///< the path is a way in time
   std::int32_t built;    ///< polyhedra so far, dropped ones included; <= kMaxSegments
   Vec3 from;             ///< beginning of the next polyhedron
   std::int32_t pending;  ///< count of `ends`: the ends of the piece's halves, that of the next half last
@@ -64,8 +65,8 @@ struct CorridorStage {
 };
 
 /// `marks`, which must outlive the stage, says which waypoints are vias, and receives the polyhedra that begin there;
-/// null means none.
-void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks = nullptr) noexcept;
+/// null means none. `is_timed`: the path is a way in time, which may lead to a place, wait there and come back.
+void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks = nullptr, bool is_timed = false) noexcept;
 
 /// The pieces of work are those of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull or kSegmentsFull, with `out` undefined.
@@ -74,7 +75,8 @@ void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks = nu
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in
 /// the path's order, but some may be skipped. A polyhedron takes over a neighbouring piece if it contains the far end
 /// of that piece with kSightMargin of a voxel to spare. The polyhedron's line then leads straight to or from that end.
-/// The first and the last piece of the path always have polyhedra of their own. No polyhedron spans a via.
+/// The first and the last piece of the path always have polyhedra of their own. No polyhedron spans a via. Of a way in
+/// time, no waypoint is skipped that is not inside its polyhedron: the way may have gone there to wait.
 ///
 /// Any two neighbours share a ball around their common point, if the interior legs of the path keep kSightMargin of a
 /// voxel from everything that is not free. The ball's radius is kSightMargin * cell, less 1e-9 m of rounding.

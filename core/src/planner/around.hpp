@@ -47,6 +47,7 @@ struct Around {
   Status lacking = Status::kOk;  ///< a capacity that did not suffice
   bool is_looking = false;       ///< the stage `tracks` looks when the goal is clear
   bool is_flooding = false;      ///< the stage `tracks` looks for a way
+  bool looks_further = false;    ///< because the first flood found none
   bool is_last = false;          ///< what is checked now is the answer, if it is clear
   std::int32_t seed = 0;         ///< floods that were begun
   double alone = 0.0;            ///< s that the plan as if nothing moved takes
@@ -86,6 +87,9 @@ constexpr double kGoodArrival = 1.045;
 constexpr double kTooEarly = 1.06;
 /// A flood at full speed looks for no ways that take longer by more than this factor; slower ones look further.
 constexpr double kLongestFlood = 1.6;
+/// If the first flood finds no way, it and all others look further by this factor: it takes long until there is one,
+/// and a flood at full speed finds the shortest wait.
+constexpr double kFurther = 2.0;
 
 /// Keeps what the search for other ways overwrites, and brings it back.
 void keep(const Path& path, const ViaMarks& marks, const Corridor& corridor, Kept& kept) noexcept;

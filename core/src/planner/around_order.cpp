@@ -42,6 +42,10 @@ void Pipeline::go_on_around(bool done) noexcept {
     const TimedSeed& timed = memory.around.timed;
     raise(flood_words_, timed.words);
     if (around.lacking == Status::kOk) around.lacking = timed.lacking;
+    if (!done && around.seed == 1 && around.found <= 0.0 && !around.looks_further) {
+      around.looks_further = true;
+      around.seed = 0;
+    }
   }
   if (!done) return next_seed();
   switch (stage_) {
@@ -85,7 +89,8 @@ void Pipeline::next_seed() noexcept {
   Layout& memory = *memory_;
   Around& around = attempts_.around;
   const int most = around.found > 0.0 ? kFastSeeds : kTimedSeeds;
-  const double longest = around.found > 0.0 ? around.found : kLongestFlood * around.alone;
+  const double most_alone = around.looks_further ? kFurther * kLongestFlood : kLongestFlood;
+  const double longest = around.found > 0.0 ? around.found : most_alone * around.alone;
   while (around.seed < most && !around.is_last) {
     const std::int32_t seed = around.seed++;
     TimedSeed& timed = memory.around.timed;

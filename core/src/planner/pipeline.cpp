@@ -175,7 +175,7 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kShortcut:
       return leg_shortcut_begin(problem_, legs_, way_of(m), m.stage.shortcut);
     case Stage::kCorridor:
-      return corridor_begin(m.stage.corridor, m.path, &m.vias.marks);
+      return corridor_begin(m.stage.corridor, m.path, &m.vias.marks, attempts_.around.is_active);
     case Stage::kTimes:
       return chain_begin(problem_, m.ends, make_via_joints(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
                          m.stage.trajectory);

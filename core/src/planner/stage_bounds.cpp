@@ -174,7 +174,7 @@ StageBound timed_bound(std::int32_t count, const GridSpec& spec) noexcept {
   if (count == 0) return {0, 0};
   const Operations sight = ops::kPiece + 2 * ops::kTurn * (spec.dims.y + Operations{spec.dims.z});
   const Operations leg = sight + kMaxFloodLayers * (ops::kPiece + ops::kDot) * Operations{kMaxThings};
-  const std::uint64_t floods = kTimedSeeds * (kFloodPieces + kMaxFloodLayers * kMaxFloodLayers);
+  const std::uint64_t floods = (kTimedSeeds + 1) * (kFloodPieces + kMaxFloodLayers * kMaxFloodLayers);
   return {floods + kGoalInstants + 1, kFloodOperations + leg};
 }
 
