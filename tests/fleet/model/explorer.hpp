@@ -8,7 +8,6 @@
 #ifndef TERN_TESTS_FLEET_MODEL_EXPLORER_HPP
 #define TERN_TESTS_FLEET_MODEL_EXPLORER_HPP
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -19,37 +18,12 @@
 
 #include "fleet/fleet_access.hpp"
 #include "fleet/model/padding.hpp"
+#include "fleet/model/setting.hpp"
 #include "fleet/plans.hpp"
 #include "fleet/slices.hpp"
 #include "tern/fleet.hpp"
 
 namespace tern_model {
-
-constexpr int kVehicles = 3;
-constexpr std::int64_t kTick = 1'000'000'000;
-/// By how much the largest speed of a straight plan is above its mean one.
-constexpr double kPeak = 2.1875;
-
-/// What the model explores.
-struct Setting {
-  int vehicles = kVehicles;
-  int announcements = 1;       ///< of each vehicle
-  int withdrawals = 0;         ///< of each vehicle
-  int restarts = 0;            ///< of all together, with the same priority as before and with a higher one
-  int departures = 0;          ///< vehicles that may leave
-  int last_tick = 4;           ///< of each clock
-  int skew = 0;                ///< ticks by which clocks may differ
-  int settling = 0;            ///< ticks more until everyone gets on: promises that have to end first
-  double seconds = 2.0;        ///< that a plan lasts
-  std::size_t in_the_air = 2;  ///< messages of each vehicle that may still arrive: its last ones
-  bool in_pieces = false;      ///< state and plans arrive separately
-  bool in_slices = false;      ///< proofs go on piece by piece, in steps of their own
-  tern::FleetRange range;      ///< members by range; else each knows of each
-  bool keeps_first = false;    ///< what was said first, with the plan that is flown, may still arrive
-  std::array<std::vector<tern::Vec3>, kVehicles> targets;
-  std::array<tern::Vec3, kVehicles> places;
-  std::array<std::uint8_t, kVehicles> priorities{};
-};
 
 /// Numbers for values, in the order in which they came.
 template <typename Value, typename Hash = std::hash<Value>>
@@ -66,34 +40,6 @@ class Numbers {
  private:
   std::unordered_map<Value, std::uint32_t, Hash> index_;
   std::vector<const Value*> values_;
-};
-
-/// A state of the world: numbers of fleets and of the set of messages that were sent, clocks, and what is used up.
-struct World {
-  std::array<std::uint32_t, kVehicles> fleets{};
-  std::uint32_t sent = 0;
-  std::array<std::uint8_t, kVehicles> clocks{};
-  std::array<std::uint8_t, kVehicles> announced{};
-  std::array<std::uint8_t, kVehicles> withdrawn{};
-  std::uint8_t restarts = 0;
-  std::uint8_t departures = 0;
-  std::uint8_t unused[3] = {};
-
-  bool operator==(const World& other) const { return std::memcmp(this, &other, sizeof other) == 0; }
-};
-static_assert(sizeof(World) == 32, "no padding, so that bytes can be compared");
-
-struct HashOfWorld {
-  std::size_t operator()(const World& world) const {
-    std::uint64_t words[4] = {};
-    std::memcpy(words, &world, sizeof world);
-    std::uint64_t hash = 0;
-    for (const std::uint64_t word : words) {
-      hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 29;
-    }
-    return hash;
-  }
 };
 
 /// In slices, kProve does a piece of a proof, kFinish all of it, and the others nothing of it.
@@ -143,7 +89,7 @@ class Vehicles {
 
   /// A step of vehicle `v`, and what it says after it.
   const After& step(int v, std::uint32_t fleet, int clock, Act act, std::uint32_t what) {
-    const std::uint64_t key = static_cast<std::uint64_t>(fleet) << 32 | static_cast<std::uint64_t>(what) << 12 |
+    const std::uint64_t key = static_cast<std::uint64_t>(fleet) << 36 | static_cast<std::uint64_t>(what) << 16 |
                               static_cast<std::uint64_t>(clock) << 6 | static_cast<std::uint64_t>(act) << 2 |
                               static_cast<std::uint64_t>(v);
     const auto known = after_.find(key);

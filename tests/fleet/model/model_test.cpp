@@ -19,8 +19,8 @@ Setting corners(int vehicles, int targets) {
   Setting setting;
   setting.vehicles = vehicles;
   const tern::Vec3 free{0.0, 2.0, 0.0};
-  setting.places = {tern::Vec3{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {2.0, 2.0, 0.0}};
-  for (std::size_t v = 0; v < tern_model::kVehicles; ++v) {
+  setting.places = {tern::Vec3{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {2.0, 2.0, 0.0}, {}};
+  for (std::size_t v = 0; v < static_cast<std::size_t>(vehicles); ++v) {
     setting.targets[v] = {free, setting.places[(v + 1) % static_cast<std::size_t>(vehicles)]};
     setting.targets[v].resize(static_cast<std::size_t>(targets));
   }
@@ -97,7 +97,7 @@ TEST(FleetModel, ProofsInSlices) {
 Setting in_range() {
   Setting setting;
   setting.vehicles = 2;
-  setting.places = {tern::Vec3{0.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {}};
+  setting.places = {tern::Vec3{0.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {}, {}};
   setting.targets[0] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-8.0, 0.0, 0.0}};
   setting.targets[1] = {{-2.0, 0.0, 0.0}, {46.0, 0.0, 0.0}, {34.0, 0.0, 0.0}};
   setting.announcements = 4;
@@ -117,7 +117,7 @@ Setting in_range() {
 /// goes meanwhile: promises outlive the range.
 Setting out_of_range() {
   Setting setting = in_range();
-  setting.places = {tern::Vec3{-8.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {}};
+  setting.places = {tern::Vec3{-8.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {}, {}};
   setting.targets[0] = {{0.0, 0.0, 0.0}};
   setting.targets[1] = {{46.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
   setting.priorities = {0, 1, 0};
@@ -138,9 +138,26 @@ Setting three_in_range() {
   return setting;
 }
 
-void expect_sound_walks(const char* name, const Setting& setting) {
-  // Never so few that no plan is taken over at a small scale.
-  const int walks = std::max(40, tern_test::scaled(setting.in_slices ? 200 : 400));
+/// Tables that have room for two, and a fourth vehicle that comes nearer to the first one than they are.
+Setting full_tables() {
+  Setting setting = in_range();
+  setting.vehicles = 4;
+  setting.places = {tern::Vec3{0.0, 0.0, 0.0}, {34.0, 0.0, 0.0}, {0.0, 34.0, 0.0}, {0.0, -36.0, 0.0}};
+  setting.targets[0] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, -29.5, 0.0}};
+  setting.targets[1] = {{-2.0, 0.0, 0.0}, {34.0, 0.0, 0.0}};
+  setting.targets[2] = {{1.0, 34.0, 0.0}, {0.0, 34.0, 0.0}, {1.0, 0.5, 0.0}};
+  setting.targets[3] = {{0.0, -30.0, 0.0}, {0.0, -0.5, 0.0}};
+  setting.priorities = {0, 1, 0, 0};
+  setting.range.speed = 4.0;
+  setting.range.lease = 24 * tern_model::kTick;
+  setting.seconds = 24.0;
+  setting.settling = 60;
+  return setting;
+}
+
+/// At least `least` walks: never so few that no plan is taken over at a small scale.
+void expect_sound_walks(const char* name, const Setting& setting, int most = 400, int least = 40) {
+  const int walks = std::max(least, tern_test::scaled(setting.in_slices ? most / 2 : most));
   const int steps = setting.in_slices ? 750 * setting.vehicles : 300;
   const tern_model::Walked walked = tern_model::walk(setting, walks, steps, 1);
   std::printf("%s: %zu worlds, plans taken over:", name, walked.worlds);
@@ -180,6 +197,11 @@ TEST(FleetModel, WalksOfThreeByRangeWithProofsInSlices) {
   Setting setting = three_in_range();
   setting.in_slices = true;
   expect_sound_walks("three by range, in slices", setting);
+}
+
+TEST(FleetModel, WalksWithFullTables) {
+  static_assert(tern::kMaxNeighbours == 2, "as the profile tiny has it");
+  expect_sound_walks("full tables", full_tables(), 40, 40);
 }
 
 TEST(FleetModel, ByRange) {

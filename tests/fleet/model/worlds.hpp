@@ -207,7 +207,7 @@ class Worlds {
   }
   /// Messages arrive, and clocks go on, until nothing is announced any more.
   void settle_all(World& world, int& clock) {
-    for (int v = 0; v < setting_.vehicles; ++v) world.clocks[index(v)] = static_cast<std::uint8_t>(clock);
+    for (int v = 0; v < setting_.vehicles; ++v) world.clocks[index(v)] = static_cast<std::uint16_t>(clock);
     for (int turn = 0; turn < 4 + static_cast<int>(setting_.seconds) + setting_.settling; ++turn) {
       for (int round = 0; round < 4; ++round) deliver_all(world);
       tick(world);
@@ -216,9 +216,9 @@ class Worlds {
   }
 
   bool are_apart(const World& world, int a, int b) {
-    const std::uint64_t key = static_cast<std::uint64_t>(flown(world, a)) << 40 |
-                              static_cast<std::uint64_t>(flown(world, b)) << 16 |
-                              static_cast<std::uint64_t>(world.clocks[index(a)]) << 8 | world.clocks[index(b)];
+    const std::uint64_t key = static_cast<std::uint64_t>(flown(world, a)) << 42 |
+                              static_cast<std::uint64_t>(flown(world, b)) << 20 |
+                              static_cast<std::uint64_t>(world.clocks[index(a)]) << 10 | world.clocks[index(b)];
     const auto [at, is_new] = apart_.try_emplace(key, true);
     if (!is_new) return at->second;
     const tern::Trajectory of_a = vehicles_.trajectory(flown(world, a));
