@@ -115,7 +115,7 @@ TEST(MovingCases, Tunnels) {
   expect_within(kAlone, kTunnel + kStart + ball("15 5 1.5", "1 0 0"));
   EXPECT_EQ(plan(kTunnel + kStart + ball("10 5 1.5")).status, tern::Status::kNoClearTime);
   // It waits outside, or backs out.
-  expect_within(19.5, kTunnel + kStart + ball("15 5 1.5", "-1 0 0"));
+  expect_within(18.5, kTunnel + kStart + ball("15 5 1.5", "-1 0 0"));
   for (const char* const x : {"6.5", "7", "7.5", "8", "8.5", "9", "9.5"}) {
     expect_within(24.0, kTunnel + "start " + x + " 5 1.5\n" + ball("15 5 1.5", "-1 0 0"));
   }

@@ -75,10 +75,12 @@ void halve_segments(const Trajectory& alone, int most, Trajectory& seed) noexcep
 Progress look_at_goal(const Problem& problem, const Ends& ends, Around& around, Work& work) noexcept {
   const Things things = things_of(problem, problem.asked.start.position);
   const double rest = rest_at_goal(problem);
-  const double step = ((kLongestFlood - 1.0) * around.alone + rest) / kGoalInstants;
+  const double first = kSoonestArrival * around.alone;
+  const double step = ((kLongestFlood - kSoonestArrival) * around.alone + rest) / kGoalInstants;
+  if (around.instant == 0) around.soonest = first;
   for (; around.instant <= kGoalInstants; ++around.instant) {
     if (!work.left()) return Progress::kMore;
-    const double time = around.alone + around.instant * step;
+    const double time = first + around.instant * step;
     Operations spent = ops::kPiece;
     bool is_covered = false;
     for (std::int32_t j = 0; j < things.count && !is_covered; ++j) {
@@ -87,10 +89,16 @@ Progress look_at_goal(const Problem& problem, const Ends& ends, Around& around, 
       is_covered = is_too_near(things, track, ends.goal.position, time);
     }
     work.spend(spent);
+    around.latest = time - step - rest;
+    if (is_covered && around.latest >= around.soonest) return Progress::kDone;
     if (is_covered) around.soonest = time + step;
-    if (time - around.soonest >= rest) return Progress::kDone;
+    if (around.latest >= larger(around.soonest, kAroundSlack * around.alone)) return Progress::kDone;
   }
   return Progress::kDone;
+}
+
+double first_slack(const Around& around) noexcept {
+  return smaller(kAroundSlack, around.latest / around.alone);
 }
 
 void around_begin(const Problem& problem, const Ends& ends, const EndStop& start_stop, const Trajectory& seed,

@@ -52,7 +52,8 @@ struct Around {
   std::int32_t seed = 0;         ///< floods that were begun
   double alone = 0.0;            ///< s that the plan as if nothing moved takes
   std::int32_t instant = 0;      ///< of that look, the next one
-  double soonest = 0.0;          ///< s: when the goal is clear and stays so, not before `alone`
+  double soonest = 0.0;          ///< s: the first arrival after which the goal stays clear, about
+  double latest = 0.0;           ///< s: and the last one, if that is not after the first plan's seed arrives
   double found = 0.0;            ///< s that the plan in the first corridor takes; 0: there is none
 };
 
@@ -85,6 +86,8 @@ constexpr double kGoodArrival = 1.045;
 /// If the goal is clear later than that plan arrives by more than this factor, no plan in its corridor and near its
 /// durations helps.
 constexpr double kTooEarly = 1.06;
+/// A plan may arrive sooner than that one by this factor, before something comes to the goal.
+constexpr double kSoonestArrival = 0.97;
 /// A flood at full speed looks for no ways that take longer by more than this factor; slower ones look further.
 constexpr double kLongestFlood = 1.6;
 /// If the first flood finds no way, it and all others look further by this factor: it takes long until there is one,
@@ -102,9 +105,12 @@ void halve_segments(const Trajectory& alone, int most, Trajectory& seed) noexcep
 /// Instants at which the goal is looked at.
 constexpr std::int32_t kGoalInstants = 96;
 
-/// Looks from when on the goal is clear for as long as the plan is to rest there: Around::soonest. A piece of work is
-/// an instant. kMore or kDone.
+/// Looks when the plan may arrive so that the goal is clear for as long as it is to rest there: from Around::soonest
+/// until Around::latest. A piece of work is an instant. kMore or kDone.
 Progress look_at_goal(const Problem& problem, const Ends& ends, Around& around, Work& work) noexcept;
+
+/// By how much the durations of the first seed are lengthened, so that it arrives while the goal is clear.
+double first_slack(const Around& around) noexcept;
 
 /// Makes the chain and the scene of the seed, and begins its trajectory. The times stage has run: the memory has the
 /// corridor and the chain's ends and vias. The durations are `slack` times those of the seed, which must stay until the

@@ -20,7 +20,7 @@ void Pipeline::begin_around() noexcept {
   around.is_active = true;
   around.quality = quality_;
   around.optimiser = optimiser_;
-  around.alone = around.soonest = duration(memory.trajectory);
+  around.alone = duration(memory.trajectory);
   keep(memory.path, memory.vias.marks, memory.corridor, memory.around.alone);
   const Trajectory& alone = memory.around.alone.trajectory;
   const int stops_and_dwells = memory.trajectory.count - alone.count;
@@ -73,7 +73,7 @@ void Pipeline::judge_around(bool is_clear) noexcept {
   if (!is_clear) return next_seed();
   const double lasts = duration(memory.trajectory);
   const bool is_first = around.seed == 0 && !around.is_last;
-  const double enough = larger(kGoodEnough * around.alone, kGoodArrival * around.soonest);
+  const double enough = larger(kGoodEnough * around.alone, kGoodArrival * larger(around.alone, around.soonest));
   if (is_first && lasts > enough) {
     memory.around.found = memory.trajectory;
     for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];

@@ -181,7 +181,7 @@ void Pipeline::enter(Stage stage) noexcept {
                          m.stage.trajectory);
     case Stage::kTrajectory:
       if (attempts_.around.is_active) {
-        const double slack = attempts_.around.seed == 0 ? kAroundSlack : 1.0;
+        const double slack = attempts_.around.seed == 0 ? first_slack(attempts_.around) : 1.0;
         return around_begin(problem_, m.ends, m.stops[0], m.around.seed, slack, m.stage.trajectory);
       }
       begun_ += curves_begin(problem_, m.ends, curves_, m.stage.trajectory);

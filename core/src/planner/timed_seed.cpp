@@ -18,8 +18,8 @@ struct FloodTry {
   double more;   ///< to keep off things, in cells
   double size;   ///< of a cell, in robot's diameters
 };
-constexpr FloodTry kTries[kTimedSeeds] = {{1.0, 0.4, 1.0},  {0.95, 0.4, 0.67},  {0.92, 0.15, 1.0}, {0.7, 0.4, 1.0},
-                                          {0.55, 0.4, 1.0}, {0.55, 0.15, 0.67}, {0.4, -0.1, 0.67}};
+constexpr FloodTry kTries[kTimedSeeds] = {{1.0, 0.4, 1.0}, {0.95, 0.4, 0.67}, {0.95, 0.4, 1.0},   {0.92, 0.15, 1.0},
+                                          {0.7, 0.4, 1.0}, {0.55, 0.4, 1.0},  {0.55, 0.15, 0.67}, {0.4, -0.1, 0.67}};
 
 /// s: no layer is shorter, whatever the robot's size.
 constexpr double kLeastLayer = 0.1;

@@ -21,7 +21,7 @@
 namespace tern {
 
 /// Floods that are tried: slower ones, and ones that keep off things by less or by more.
-constexpr int kTimedSeeds = 7;
+constexpr int kTimedSeeds = 8;
 /// If there is a plan already, only so many.
 constexpr int kFastSeeds = 2;
 
