@@ -183,7 +183,8 @@ TEST_F(FleetRangePair, PromisesEndAndOutliveABeginning) {
   EXPECT_EQ(fleet(1).neighbours(), 0);
 }
 
-// 2, which has the right of way, did not hear 1 for so long that it has no members any more.
+// 2, which has the right of way, did not hear 1 for so long that it has no members any more. For 1, it still is in
+// range.
 TEST_F(FleetRangePair, WhoHasNoMembersAnyMoreSaysSo) {
   priorities_[1] = 1;
   begin(19.0);
@@ -197,6 +198,7 @@ TEST_F(FleetRangePair, WhoHasNoMembersAnyMoreSaysSo) {
   }
   go_on(10.0);
   ASSERT_EQ(fleet(1).neighbours(), 0);
+  ASSERT_EQ(fleet(0).neighbours(), 1);
   fly(0, {-3, 0, 1}, {-4, 0, 1}, 1.0);
   go_on(1.5);
   EXPECT_EQ(fleet(0).report().announcement, Announcement::kTaken);

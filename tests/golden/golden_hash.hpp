@@ -22,7 +22,7 @@ constexpr std::uint64_t kGoldenFlightHash = 0x11a9e279dbde6344u;
 /// The same for the fleet of fleet_run.hpp, which reaches none either.
 constexpr std::uint64_t kGoldenFleetHash = 0xee9f82bd0b3d1b26u;
 /// The same fleet with members by range.
-constexpr std::uint64_t kGoldenFleetRangeHash = 0xfb4f493d0c8e5650u;
+constexpr std::uint64_t kGoldenFleetRangeHash = 0x1a40f1d0daeac040u;
 
 }  // namespace tern_golden
 

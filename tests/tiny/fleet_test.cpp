@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fleet/fleet_access.hpp"
-
 namespace {
 
 TEST(FleetFull, AsManyNeighboursAsThereIsRoomFor) {
@@ -114,57 +112,6 @@ TEST_F(FleetFullOfBeacons, TheNearestOnesAreMembers) {
   EXPECT_EQ(fleet_.neighbours(), tern::kMaxNeighbours);
   EXPECT_TRUE(is_member(1));
   EXPECT_FALSE(is_member(tern::kMaxNeighbours + 1));
-}
-
-/// Four vehicles on a line, the last of which is heard later than the others.
-class FleetTables : public testing::Test {
- protected:
-  FleetTables() {
-    for (int v = 0; v < 4; ++v) {
-      tern::Trajectory rest{};
-      rest.count = 1;
-      rest.origin = {kPlaces[v], 0.0, 0.0};
-      rest.segments[0].duration = 1.0;
-      EXPECT_EQ(fleets_[v].begin(in_range_of(static_cast<std::uint16_t>(v + 1)), rest, 0), tern::Status::kOk);
-    }
-  }
-  /// All of the first `count` hear each other ten times a second.
-  void exchange(int count, double seconds) {
-    for (int tick = 0; tick < static_cast<int>(10.0 * seconds); ++tick) {
-      now_ += 100'000'000;
-      for (int v = 0; v < count; ++v) {
-        tern::Work work(10000);
-        fleets_[v].advance(now_, work);
-        std::uint8_t packet[1000];
-        while (const std::int32_t size = fleets_[v].write(packet, sizeof packet)) {
-          for (int to = 0; to < count; ++to) fleets_[to].receive(packet, size, now_);
-        }
-      }
-    }
-  }
-  /// It is a member that this one asks and tells, and the other way round.
-  bool agree(int v, int with) const {
-    for (const int k : {v, with}) {
-      const tern::FleetMemory& fleet = *tern::memory_of(fleets_[k]);
-      const std::int32_t p = tern::find_peer(fleet, static_cast<std::uint16_t>(v + with - k + 1));
-      if (p == fleet.peer_count || !fleet.peers[p].link.binds || fleet.peers[p].link.trusted <= now_) return false;
-    }
-    return true;
-  }
-
-  static constexpr double kPlaces[] = {0.0, 8.0, -8.5, 3.0};
-  tern::Fleet fleets_[4];
-  std::int64_t now_ = 0;
-};
-
-// 1 has room for two. 2 and 3 have room for it, and would go on promising for ever.
-TEST_F(FleetTables, WhoIsNearerTakesThePlaceOfTheFarthestAlone) {
-  exchange(3, 2.0);
-  ASSERT_TRUE(agree(0, 1) && agree(0, 2));
-  exchange(4, 15.0);
-  EXPECT_TRUE(agree(0, 3)) << "the nearest one has a place";
-  EXPECT_TRUE(agree(0, 1)) << "who is nearer than another member keeps its place";
-  EXPECT_FALSE(agree(0, 2));
 }
 
 }  // namespace

@@ -33,10 +33,7 @@ bool is_lease(const FleetMemory& fleet, std::int64_t until, std::int64_t now) {
 }
 
 /// What the newest state says of the two records of each other.
-void hear_link(const FleetMemory& fleet, const StateHead& state, const Answer& answer, bool has_begun, Peer& peer) {
-  Link& link = peer.link;
-  if (peer.answer.promises && is_offered(peer)) link.parts = true;
-  if (answer.promises || has_begun) link.parts = false;
+void hear_link(const FleetMemory& fleet, const StateHead& state, const Answer& answer, bool has_begun, Link& link) {
   link.its = answer.link;
   link.is_mutual = answer.incarnation == fleet.spec.incarnation && answer.its == link.own && answer.link != 0;
   if (has_begun) link.trusted = 0;
@@ -60,7 +57,7 @@ Heard hear_state(FleetMemory& fleet, Peer& peer, std::int64_t now) {
   if (by_range && !is_lease(fleet, state.until, now)) return Heard::kClockAhead;
   const bool has_begun = state.incarnation != peer.state.incarnation || (by_range && answer.link != peer.link.its);
   if (has_begun || state.has_left != peer.state.has_left) meet_again(fleet, peer, has_begun, now);
-  if (by_range) hear_link(fleet, state, answer, has_begun, peer);
+  if (by_range) hear_link(fleet, state, answer, has_begun, peer.link);
   // A member may have taken this over unasked, before it made the promise that this state brings. So what was proven of
   // it before counts no more, even if the proof about it is over.
   if (by_range && state.flown != peer.state.flown) prove_again(fleet, find_peer(fleet, peer.id));

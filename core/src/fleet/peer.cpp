@@ -38,7 +38,7 @@ bool is_over(const StateHead& state, const PlanName& name) {
 
 void forget_peer(Peer& peer, std::uint16_t id) noexcept {
   peer.id = id;
-  peer.link = Link{0, 0, true, true, true, false, INT64_MAX, INT64_MAX};
+  peer.link = Link{0, 0, true, true, true, INT64_MAX, INT64_MAX};
   peer.heard = 0;
   peer.state = StateHead{};
   peer.answer = Answer{};

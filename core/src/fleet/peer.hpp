@@ -28,7 +28,6 @@ struct Link {
   bool is_near;           ///< it is in range
   bool is_mutual;         ///< its newest state answers this vehicle's record
   bool binds;             ///< this vehicle follows the rules
-  bool parts;             ///< the member ended what it promised, and not this vehicle: it has no room, or is far away
   std::int64_t promised;  ///< until when at least, as the member was told, ns
   std::int64_t trusted;   ///< until when the member promised to, on this vehicle's clock, ns
 };

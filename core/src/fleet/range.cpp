@@ -28,69 +28,36 @@ void remove_member(FleetMemory& fleet, std::int32_t p, std::int64_t now, Work& w
   touch(fleet, now);
 }
 
-/// Vehicles in range that are no members.
-struct Strangers {
-  std::int32_t count = 0;
+/// The nearest vehicle in range that is no member; null if there is none.
+Beacon* nearest_stranger(FleetMemory& fleet, std::int64_t now) {
   Beacon* nearest = nullptr;
-  double apart;  ///< how far away the nearest one is, m; the range if there is none
-};
-
-Strangers find_strangers(FleetMemory& fleet, std::int64_t now) {
-  Strangers strangers;
-  strangers.apart = fleet.spec.range.join;
+  double least = fleet.spec.range.join;
   for (std::int32_t k = 0; k < fleet.beacons.count; ++k) {
     Beacon& beacon = fleet.beacons.of[k];
     if (beacon.is_member || is_stale(fleet, beacon, now)) continue;
     const double apart = axis_distance(beacon.place, fleet.beacons.place);
-    if (apart > fleet.spec.range.join) continue;
-    ++strangers.count;
-    if (apart > strangers.apart) continue;
-    strangers.apart = apart;
-    strangers.nearest = &beacon;
+    if (apart > least) continue;
+    least = apart;
+    nearest = &beacon;
   }
-  return strangers;
+  return nearest;
 }
 
-/// How far a member is away, m; kNowhere if it was not heard of late.
-double distance_to(FleetMemory& fleet, const Peer& peer, std::int64_t now) {
+/// Who binds this vehicle changes only while the others are not told of a plan: that was proven for those who did.
+void update_link(FleetMemory& fleet, Peer& peer, double stay, std::int64_t now) {
   const Beacon* const beacon = find_beacon(fleet.beacons, peer.id);
-  if (beacon == nullptr || is_stale(fleet, *beacon, now)) return kNowhere;
-  return axis_distance(beacon->place, fleet.beacons.place);
-}
-
-/// Who binds this vehicle changes only while the others are not told of a plan: that was proven for those who did. A
-/// member that parts is near again if it is within `again`.
-void update_link(FleetMemory& fleet, Peer& peer, double again, std::int64_t now) {
+  const bool is_near =
+      beacon != nullptr && !is_stale(fleet, *beacon, now) && axis_distance(beacon->place, fleet.beacons.place) <= stay;
   Link& link = peer.link;
   const bool was_offered = is_offered(peer);
-  const double most = link.is_near ? kStay * fleet.spec.range.join : again;
-  link.is_near = distance_to(fleet, peer, now) <= most && !(link.parts && now <= link.trusted);
-  const bool binds = (link.is_near && link.is_mutual) || now <= link.promised;
+  link.is_near = is_near;
+  const bool binds = (is_near && link.is_mutual) || now <= link.promised;
   if (binds != link.binds && !is_open(fleet)) {
     link.binds = binds;
     prove_again(fleet, static_cast<std::int32_t>(&peer - fleet.peers));
     prove_from(fleet.job, peer.id);
   }
   if (is_offered(peer) != was_offered) touch(fleet, now);
-}
-
-/// Of a full table, the farthest member parts if a stranger is much nearer: as many as there are strangers.
-void make_room(FleetMemory& fleet, const Strangers& strangers, std::int64_t now, Work& work) {
-  work.spend(ops::kRow * fleet.peer_count);
-  std::int32_t parting = 0;
-  Peer* farthest = nullptr;
-  double most = kFarther * strangers.apart;
-  for (std::int32_t p = 0; p < fleet.peer_count; ++p) {
-    Peer& peer = fleet.peers[p];
-    const double apart = distance_to(fleet, peer, now);
-    if (!peer.link.is_near) ++parting;
-    if (!peer.link.is_near || apart <= most) continue;
-    most = apart;
-    farthest = &peer;
-  }
-  if (farthest == nullptr || parting >= strangers.count) return;
-  farthest->link.is_near = false;
-  touch(fleet, now);
 }
 
 bool is_over(const Peer& peer, std::int64_t now) {
@@ -108,10 +75,14 @@ void update_members(FleetMemory& fleet, std::int64_t now, Work& work) noexcept {
   const Trajectory& flown = fleet.own[fleet.flown].plan;
   fleet.beacons.now = now;
   fleet.beacons.place = evaluate(flown, time_on(flown, now)).position;
-  const Strangers strangers = find_strangers(fleet, now);
-  if (strangers.count > 0 && fleet.peer_count < kMaxNeighbours) add_member(fleet, *strangers.nearest, now);
-  for (std::int32_t p = 0; p < fleet.peer_count; ++p) update_link(fleet, fleet.peers[p], strangers.apart, now);
-  if (strangers.count > 0 && fleet.peer_count == kMaxNeighbours) make_room(fleet, strangers, now, work);
+  Beacon* const stranger = nearest_stranger(fleet, now);
+  double stay = kStay * fleet.spec.range.join;
+  if (stranger != nullptr && fleet.peer_count < kMaxNeighbours) {
+    add_member(fleet, *stranger, now);
+  } else if (stranger != nullptr) {
+    stay = smaller(stay, kFarther * axis_distance(stranger->place, fleet.beacons.place));
+  }
+  for (std::int32_t p = 0; p < fleet.peer_count; ++p) update_link(fleet, fleet.peers[p], stay, now);
   for (std::int32_t p = fleet.peer_count - 1; p >= 0; --p) {
     if (is_over(fleet.peers[p], now)) remove_member(fleet, p, now, work);
   }

@@ -44,7 +44,6 @@ inline void without_padding(tern::Link& link) {
   link.is_near = copy.is_near;
   link.is_mutual = copy.is_mutual;
   link.binds = copy.binds;
-  link.parts = copy.parts;
   link.promised = copy.promised;
   link.trusted = copy.trusted;
 }
