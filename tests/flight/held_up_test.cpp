@@ -52,7 +52,7 @@ TEST(FlightTracks, GivesUpWhereItIsPushedOrPinnedForEver) {
     hunters[k] = {{k % 2 == 0 ? far : 0.0, k % 2 == 0 ? 0.0 : far, 1.0}, {}, 6.0, 3.0};
   }
   int ticks = 0;
-  for (; ticks < 6500 && !room.state().facts.itinerary.parked; ++ticks) {
+  for (; ticks < 10000 && !room.state().facts.itinerary.parked; ++ticks) {
     for (std::uint32_t id = 0; id < 4 && ticks % 10 == 0; ++id) {
       Track track = seen(id, hunters[id].position, hunters[id].velocity, room.time, hunters[id].acceleration);
       track.reach = hunters[id].top;

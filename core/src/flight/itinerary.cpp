@@ -56,7 +56,8 @@ void Itinerary::begin(const Via* mission_points, std::int32_t point_count, ViaPo
 void Itinerary::try_anew() noexcept {
   parked = false;
   fruitless = wandering = 0;
-  held_up = hold = 0;
+  held_up = 0;
+  is_held_up = false;
   nearest = -1.0;
   reason = FlightReason::kNone;
 }
@@ -131,15 +132,13 @@ bool Itinerary::count_plan(const FlightFacts& flight, const Vec3& from) noexcept
 }
 
 /// Plans that led nowhere so far do not count for a vehicle that is pushed away.
-void Itinerary::note_held_up() noexcept {
-  hold = kHold;
-  fruitless = 0;
+void Itinerary::note_held_up(bool by_thing) noexcept {
+  is_held_up = by_thing;
+  if (by_thing) fruitless = 0;
 }
 
 bool Itinerary::waits_too_long(std::int64_t gap) noexcept {
-  const std::int64_t counted = gap < hold ? gap : hold;
-  hold -= counted;
-  if (goes_on()) held_up += counted;
+  if (goes_on() && is_held_up) held_up += gap;
   return held_up > kPatience;
 }
 

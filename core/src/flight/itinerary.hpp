@@ -28,9 +28,6 @@ constexpr int kWandering = 1500;
 /// For so long, things that move may keep the vehicle where it is, or push it, without it coming nearer to the next
 /// point, nanoseconds.
 constexpr std::int64_t kPatience = 60000000000;
-/// A vehicle that was held up counts as held up for so long afterwards: what pushes it about does so again and again,
-/// and it goes a little way between.
-constexpr std::int64_t kHold = 5000000000;
 
 /// What follows if a point cannot be reached.
 enum class LeftOut : std::uint8_t {
@@ -55,15 +52,15 @@ struct Itinerary {
   double nearest;         ///< the vehicle's least distance to the next point, metres; negative: not known yet
   int fruitless;          ///< new plans since the vehicle was nearest to that point, or learned something
   int wandering;          ///< new plans since the vehicle was nearest to that point
-  std::int64_t hold;      ///< for so long from now, the vehicle counts as held up by things that move, nanoseconds
+  bool is_held_up;        ///< by things that move
   std::int64_t held_up;   ///< for so long since the vehicle was nearest to that point, nanoseconds
   std::uint64_t learned;  ///< RollingMap::learned() when the vehicle last learned something
 
   void begin(const Via* mission_points, std::int32_t point_count, ViaPolicy mission_policy) noexcept;
   /// Forgets all reasons to give up.
   void try_anew() noexcept;
-  /// Something that moves keeps the vehicle from going on, or pushed it away.
-  void note_held_up() noexcept;
+  /// True: something that moves keeps the vehicle from going on, or pushed it away. False: a plan leads on.
+  void note_held_up(bool by_thing) noexcept;
   /// Counts the time for which the vehicle is held up. True if that is too long.
   bool waits_too_long(std::int64_t gap) noexcept;
   void park(FlightReason why) noexcept;

@@ -191,7 +191,7 @@ void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
 
 bool Lookouts::is_hopeless(const FlightFacts& flight) const noexcept {
   const bool has_no_sight = is_last_try && in_vain >= 2 * kInVain && search.answer == LookoutAnswer::kNoSight;
-  const bool has_none_left = left == 0 && phase == LookoutPhase::kIdle && flight.itinerary.hold == 0 &&
+  const bool has_none_left = left == 0 && phase == LookoutPhase::kIdle && !flight.itinerary.is_held_up &&
                              !flight.itinerary.is_reached_by(flight.plans.latest()) &&
                              flight.itinerary.wandering >= wandering_due + kPlansAfterLast &&
                              flight.map.learned() - learned < kPlansAfterLast * kLearned;

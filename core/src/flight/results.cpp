@@ -199,7 +199,7 @@ void FlightState::enter_draft() noexcept {
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
-  if (!evasion.is_running && cycle.gave_way) facts.itinerary.note_held_up();
+  if (!evasion.is_running) facts.itinerary.note_held_up(cycle.gave_way);
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();
@@ -224,7 +224,7 @@ void FlightState::give_up() noexcept {
   evasion.leave();
   // What moves will be elsewhere soon, and a fence may end or begin: no reason to look around, or to give up.
   const bool is_by_thing = block.is_temporary(facts, tick_work) || cycle.gave_way;
-  if (is_by_thing && block.by != BlockedBy::kFence && facts.rests()) facts.itinerary.note_held_up();
+  if (is_by_thing && block.by != BlockedBy::kFence && facts.rests()) facts.itinerary.note_held_up(true);
   if (!facts.rests() || facts.itinerary.parked || is_by_thing) return;
   lookouts.note_failure(facts);
   if (!search.count_idle()) return;
