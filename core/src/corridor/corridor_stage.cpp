@@ -106,8 +106,8 @@ Progress move_on(CorridorStage& stage, const Path& path, double margin, Corridor
   return progress;
 }
 
-/// Drops polyhedra before the last one as long as the last one contains their lines too, if not all waypoints that
-/// these lines skip. The first polyhedron stays, and so do the first `fixed` ones.
+/// Drops polyhedra before the last one as long as the last one contains their lines, too. It need not contain the
+/// waypoints that these lines skip. The first polyhedron stays, and so do the first `fixed` ones.
 void drop_held(Corridor& out, double margin, std::int32_t fixed) {
   while (out.count > 2 && out.count > fixed + 1) {
     const Polyhedron& last = out.polyhedra[out.count - 1];

@@ -42,7 +42,8 @@ void Pipeline::go_on_around(bool done) noexcept {
     const TimedSeed& timed = memory.around.timed;
     raise(flood_words_, timed.words);
     if (around.lacking == Status::kOk) around.lacking = timed.lacking;
-    if (!done && around.seed == 1 && around.found <= 0.0 && !around.looks_further) {
+    const bool is_first = around.seed == 1 && around.found <= 0.0 && !around.looks_further;
+    if (!done && is_first && timed.lacking == Status::kOk) {
       around.looks_further = true;
       around.seed = 0;
     }
@@ -94,7 +95,11 @@ void Pipeline::next_seed() noexcept {
   while (around.seed < most && !around.is_last) {
     const std::int32_t seed = around.seed++;
     TimedSeed& timed = memory.around.timed;
-    if (!timed_seed_begin(problem_, memory.ends, memory.stops[0], seed, longest, memory.stage.flood, timed)) {
+    const auto begins = [&](double most_seconds) {
+      return timed_seed_begin(problem_, memory.ends, memory.stops[0], seed, most_seconds, memory.stage.flood, timed);
+    };
+    // Where the further look does not fit, the nearer one may.
+    if (!begins(longest) && !(around.looks_further && begins(smaller(longest, kLongestFlood * around.alone)))) {
       if (around.lacking == Status::kOk) around.lacking = timed.lacking;
       continue;
     }

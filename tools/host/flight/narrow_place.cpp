@@ -56,20 +56,22 @@ NarrowPlace narrow_place(const Grid& safe, const tern::Vec3& rest, const tern::V
   const double keeps = safe.spec().clearance();
   const double cell = safe.spec().cell;
   const int needed = 2 * static_cast<int>(std::ceil(keeps / cell - kVoxelRounding)) + 1;
-  NarrowPlace place{true, {}, way.gap, 0, 0.0, 2.0 * keeps, needed * cell, cell};
-  Voxel narrowest = way.narrowest;
+  NarrowPlace place{true, {}, 0.0, 0, 0.0, 2.0 * keeps, needed * cell, cell};
+  std::size_t narrowest = way.narrowest;
   int count = needed;
-  for (const Voxel& voxel : way.voxels) {
+  for (std::size_t k = 0; k < way.voxels.size(); ++k) {
+    const Voxel& voxel = way.voxels[k];
     for (int axis = 0; axis < 3; ++axis) {
       const int row = 1 + free_beside(safe, voxel, axis, 1, needed) + free_beside(safe, voxel, axis, -1, needed);
       if (row >= count) continue;
       count = row;
-      narrowest = voxel;
+      narrowest = k;
       place.axis = "xyz"[axis];
       place.free = row * cell;
     }
   }
-  place.at = along(safe.spec().origin, 1.0, safe.center(narrowest));
+  place.at = along(safe.spec().origin, 1.0, safe.center(way.voxels[narrowest]));
+  place.gap = way.gaps[narrowest];
   return place;
 }
 

@@ -76,7 +76,7 @@ class Simulation {
     const bool is_voxel =
         report_.blocked_by == tern::BlockedBy::kUnseen || report_.blocked_by == tern::BlockedBy::kObstacle;
     if (result.status == "stuck" && is_voxel) {
-      result.narrow = narrow_place(map_.safe(), flight_.rest_position(), world_.goal);
+      result.narrow = narrow_place(map_.safe(), flight_.rest_position(), next_point());
     }
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
@@ -92,6 +92,13 @@ class Simulation {
   }
 
  private:
+  tern::Vec3 next_point() const {
+    for (const MissionPoint& point : mission_->points()) {
+      if (point.state == "ahead") return point.position;
+    }
+    return world_.goal;
+  }
+
   /// Why the last plan led nowhere, if there was none.
   std::string last_plan() const {
     if (report_.plan == tern::Status::kOk || report_.plan == tern::Status::kRunning) return "";

@@ -92,8 +92,9 @@ class Flood {
     push(start, numbers_.of(start), openings_.enough());
     // As far as plans on both sides of a thin wall are apart: less may be a corner on this side of it.
     const double beyond = 2.0 * grid_.spec().clearance() + grid_.spec().cell;
-    double reached = std::numeric_limits<double>::infinity();  // the least distance of what plans reach from the goal
-    double least = reached;                                    // of all that is free
+    double reached =
+        distance_between(grid_.center(start), goal);  // the least distance of what plans reach from the goal
+    double least = reached;                           // of all that is free
     std::size_t nearest = numbers_.of(start);
     while (!open_.empty()) {
       const auto [width, room, order] = open_.top();
@@ -134,17 +135,17 @@ class Flood {
   }
 
   WidestWay way_to(std::size_t at) const {
-    WidestWay way{{numbers_.voxel(at)}, {}, 0.0};
+    WidestWay way;
+    way.voxels = {numbers_.voxel(at)};
     for (; from_[at] != at; at = from_[at]) way.voxels.push_back(numbers_.voxel(from_[at]));
     std::reverse(way.voxels.begin(), way.voxels.end());
-    int least = openings_.enough();
-    for (const Voxel& voxel : way.voxels) least = std::min(least, openings_.at(voxel));
-    std::vector<Voxel> narrow;
-    for (const Voxel& voxel : way.voxels) {
-      if (openings_.at(voxel) == least) narrow.push_back(voxel);
+    for (const Voxel& voxel : way.voxels) way.gaps.push_back(grid_.spec().cell * std::sqrt(openings_.at(voxel)));
+    const double least = *std::min_element(way.gaps.begin(), way.gaps.end());
+    std::vector<std::size_t> narrow;
+    for (std::size_t k = 0; k < way.gaps.size(); ++k) {
+      if (way.gaps[k] <= least) narrow.push_back(k);
     }
     way.narrowest = narrow[narrow.size() / 2];
-    way.gap = grid_.spec().cell * std::sqrt(least);
     return way;
   }
 

@@ -5,6 +5,7 @@
 #ifndef TERN_HOST_FLIGHT_WIDEST_WAY_HPP
 #define TERN_HOST_FLIGHT_WIDEST_WAY_HPP
 
+#include <cstddef>
 #include <vector>
 
 #include "tern/grid.hpp"
@@ -14,8 +15,8 @@ namespace tern_host {
 
 struct WidestWay {
   std::vector<tern::Voxel> voxels;  ///< empty: there is none
-  tern::Voxel narrowest{};          ///< the one nearest to what is not free; of equal ones, the middle one
-  double gap = 0.0;                 ///< metres between those two
+  std::vector<double> gaps;         ///< of each from the nearest that is not free, metres; at most what a plan needs
+  std::size_t narrowest = 0;        ///< the one with the least gap; of equal ones, the middle one
 };
 
 /// Of all ways through free voxels, from the one at `start` (local frame) to one that a plan may pass and that is
