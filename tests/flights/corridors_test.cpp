@@ -178,11 +178,15 @@ TEST(NarrowPlace, IsAGapWithoutAVoxelForAPlan) {
     for (int free = 1; free <= needed + 1; ++free) {
       tern_test::OwnedGrid owned(tern_test::whole_grid({64, 24, 24}, cell, 0.35));
       build_wall(owned, [free](int y, int) { return y >= 3 && y < 3 + free; });
+      owned.grid.inflate();
+      bool fits = false;
+      for (int y = 3; y < 3 + free; ++y) fits = fits || (owned.grid.free({30, y, 12}) && owned.grid.free({31, y, 12}));
+      EXPECT_EQ(fits, free >= needed);
       const Vec3 rest = owned.grid.center({10, 12, 12});
       const Vec3 goal = owned.grid.center({55, 12, 12});
       const tern_host::NarrowPlace narrow = tern_host::narrow_place(owned.grid, rest, goal);
-      EXPECT_EQ(narrow.found, free < needed) << free;
-      if (free >= needed) continue;
+      EXPECT_EQ(narrow.found, !fits) << free;
+      if (fits) continue;
       EXPECT_EQ(narrow.axis, 'y');
       EXPECT_NEAR(narrow.free, free * cell, 1e-9);
       EXPECT_NEAR(narrow.width, needed * cell, 1e-9);

@@ -16,14 +16,6 @@ using tern::Voxel;
 
 constexpr double kVoxelRounding = 1e-9;  // voxels
 
-bool is_free(const Grid& grid, const Voxel& voxel) {
-  return grid.inside(voxel) && !grid.obstacle(voxel);
-}
-
-Voxel neighbour(const Voxel& voxel, int axis, int sign) {
-  return {voxel.x + (axis == 0 ? sign : 0), voxel.y + (axis == 1 ? sign : 0), voxel.z + (axis == 2 ? sign : 0)};
-}
-
 /// Free voxels in a row, from the one beside `voxel` on; as many as `most`, at most.
 int free_beside(const Grid& grid, Voxel voxel, int axis, int sign, int most) {
   int count = 0;

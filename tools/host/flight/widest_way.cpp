@@ -66,7 +66,7 @@ class Openings {
   int at(const Voxel& v) const {
     for (const auto& [room, off] : near_) {
       const Voxel other{v.x + off.x, v.y + off.y, v.z + off.z};
-      if (!grid_.inside(other) || grid_.obstacle(other)) return room;
+      if (!is_free(grid_, other)) return room;
     }
     return enough_;
   }
@@ -92,9 +92,9 @@ class Flood {
     push(start, numbers_.of(start), openings_.enough());
     // As far as plans on both sides of a thin wall are apart: less may be a corner on this side of it.
     const double beyond = 2.0 * grid_.spec().clearance() + grid_.spec().cell;
-    double reached =
-        distance_between(grid_.center(start), goal);  // the least distance of what plans reach from the goal
-    double least = reached;                           // of all that is free
+    // The least distances from the goal: of what plans reach, and of all that is free.
+    double reached = distance_between(grid_.center(start), goal);
+    double least = reached;
     std::size_t nearest = numbers_.of(start);
     while (!open_.empty()) {
       const auto [width, room, order] = open_.top();
@@ -126,11 +126,8 @@ class Flood {
   void push_neighbours(std::size_t at, int width) {
     const Voxel voxel = numbers_.voxel(at);
     for (int k = 0; k < 6; ++k) {
-      const int step = k % 2 == 0 ? 1 : -1;
-      const Voxel next{voxel.x + (k / 2 == 0 ? step : 0), voxel.y + (k / 2 == 1 ? step : 0),
-                       voxel.z + (k / 2 == 2 ? step : 0)};
-      if (!grid_.inside(next) || grid_.obstacle(next) || from_[numbers_.of(next)] != kUnseen) continue;
-      push(next, at, width);
+      const Voxel next = neighbour(voxel, k / 2, k % 2 == 0 ? 1 : -1);
+      if (is_free(grid_, next) && from_[numbers_.of(next)] == kUnseen) push(next, at, width);
     }
   }
 
@@ -158,9 +155,17 @@ class Flood {
 
 }  // namespace
 
+bool is_free(const Grid& grid, const Voxel& voxel) {
+  return grid.inside(voxel) && !grid.obstacle(voxel);
+}
+
+Voxel neighbour(const Voxel& voxel, int axis, int sign) {
+  return {voxel.x + (axis == 0 ? sign : 0), voxel.y + (axis == 1 ? sign : 0), voxel.z + (axis == 2 ? sign : 0)};
+}
+
 WidestWay widest_way(const Grid& grid, const Vec3& start, const Vec3& goal) {
   const Voxel voxel = grid.voxel_of(start);
-  if (!grid.inside(voxel) || grid.obstacle(voxel)) return {};
+  if (!is_free(grid, voxel)) return {};
   return Flood(grid).way(voxel, goal);
 }
 

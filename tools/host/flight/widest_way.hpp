@@ -13,6 +13,12 @@
 
 namespace tern_host {
 
+/// True for a voxel of the grid that is not solid.
+bool is_free(const tern::Grid& grid, const tern::Voxel& voxel);
+
+/// The voxel beside this one along an axis, in the direction of `sign`, 1 or -1.
+tern::Voxel neighbour(const tern::Voxel& voxel, int axis, int sign);
+
 struct WidestWay {
   std::vector<tern::Voxel> voxels;  ///< empty: there is none
   std::vector<double> gaps;         ///< of each from the nearest that is not free, metres; at most what a plan needs
