@@ -27,9 +27,9 @@ class Numbers {
  public:
   explicit Numbers(const Voxel& dims) : dims_(dims) {}
 
-  std::size_t count() const { return static_cast<std::size_t>(dims_.x) * dims_.y * dims_.z; }
+  std::size_t count() const { return of({0, 0, dims_.z}); }
   std::size_t of(const Voxel& v) const {
-    return (static_cast<std::size_t>(v.z) * dims_.y + v.y) * dims_.x + static_cast<std::size_t>(v.x);
+    return static_cast<std::size_t>((std::int64_t{v.z} * dims_.y + v.y) * dims_.x + v.x);
   }
   Voxel voxel(std::size_t number) const {
     const auto n = static_cast<std::int64_t>(number);
