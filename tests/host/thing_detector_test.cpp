@@ -94,7 +94,8 @@ TEST(ThingDetector, TubesHoldTheTruth) {
       const tern::Track* const track = told.detector->known(i);
       if (track == nullptr) continue;
       const tern::Vec3 place = told.motions[i].at(now).position;
-      EXPECT_TRUE(tern_host::is_in_tube(*track, place, told.room.time)) << told.world.things[i].name << " at " << now;
+      EXPECT_TRUE(tern_host::is_in_tube(*track, told.world.things[i], place, told.room.time))
+          << told.world.things[i].name << " at " << now;
       const double s = now - 1e-9 * static_cast<double>(track->measured);
       const tern::Vec3 expected = tern_host::along(track->position, s, track->velocity);
       farthest = std::fmax(farthest, tern_host::length(tern_host::along(expected, -1.0, place)));
@@ -104,6 +105,7 @@ TEST(ThingDetector, TubesHoldTheTruth) {
 }
 
 TEST(ThingDetector, TubesAreComputedByHand) {
+  const Thing point;
   tern::Track track;
   track.measured = 1000000000;
   track.position = {1.0, 0.0, 0.0};
@@ -112,12 +114,46 @@ TEST(ThingDetector, TubesAreComputedByHand) {
   track.error_speed = 0.2;
   track.error_growth = 1.0;
   // A second later: 0.1 + 0.2 + 0.5 about (3, 0, 0).
-  EXPECT_TRUE(tern_host::is_in_tube(track, {3.0, 0.79, 0.0}, 2000000000));
-  EXPECT_FALSE(tern_host::is_in_tube(track, {3.0, 0.81, 0.0}, 2000000000));
-  EXPECT_FALSE(tern_host::is_in_tube(track, {1.0, 0.0, 0.0}, 999999999));
+  EXPECT_TRUE(tern_host::is_in_tube(track, point, {3.0, 0.79, 0.0}, 2000000000));
+  EXPECT_FALSE(tern_host::is_in_tube(track, point, {3.0, 0.81, 0.0}, 2000000000));
+  EXPECT_FALSE(tern_host::is_in_tube(track, point, {1.0, 0.0, 0.0}, 999999999));
   track.reach = 2.0;  // and within 2.1 of (1, 0, 0)
-  EXPECT_TRUE(tern_host::is_in_tube(track, {3.05, 0.0, 0.0}, 2000000000));
-  EXPECT_FALSE(tern_host::is_in_tube(track, {3.15, 0.0, 0.0}, 2000000000));
+  EXPECT_TRUE(tern_host::is_in_tube(track, point, {3.05, 0.0, 0.0}, 2000000000));
+  EXPECT_FALSE(tern_host::is_in_tube(track, point, {3.15, 0.0, 0.0}, 2000000000));
+}
+
+// A man of 0.3 x 1.8 m is in a track's cylinder of 0.5 x 2.4 m as long as all of him is.
+TEST(ThingDetector, AThingIsInTheTubeOfALargerTrack) {
+  Thing man;
+  man.shape = tern::TrackShape::kCylinder;
+  man.radius = 0.3;
+  man.half.z = 0.9;
+  tern::Track track;
+  track.shape = tern::TrackShape::kCylinder;
+  track.radius = 0.5;
+  track.half.z = 1.2;
+  track.error = 0.1;
+  EXPECT_TRUE(tern_host::is_in_tube(track, man, {0.29, 0.0, 0.3}, 0));  // 0.2 m of room, and the error
+  EXPECT_FALSE(tern_host::is_in_tube(track, man, {0.31, 0.0, 0.3}, 0));
+  EXPECT_TRUE(tern_host::is_in_tube(track, man, {0.2, 0.0, -0.39}, 0));
+  EXPECT_FALSE(tern_host::is_in_tube(track, man, {0.2, 0.0, -0.41}, 0));
+  EXPECT_FALSE(tern_host::is_in_tube(track, man, {0.28, 0.0, 0.38}, 0)) << "0.08 m off twice";
+  man.radius = 0.55;  // wider than the track, and within its error
+  EXPECT_TRUE(tern_host::is_in_tube(track, man, {0.04, 0.0, 0.0}, 0));
+  EXPECT_FALSE(tern_host::is_in_tube(track, man, {0.06, 0.0, 0.0}, 0));
+}
+
+// The clearance is 0.25 + 0.1 m.
+TEST(ThingDetector, AVehicleMeetsATubeWithinItsClearance) {
+  ToldFlight told({"ball ball 0.3 hunt 5 0 1 1 1 0"}, {"detection_latency=0", "detection_error=0.05,0"});
+  told.tick();
+  const tern::Track& track = *told.detector->known(0);
+  const double x = track.position.x - 0.3 - 0.05 - 0.35;
+  EXPECT_TRUE(told.detector->meets({x + 1e-3, track.position.y, track.position.z}, 0));
+  EXPECT_FALSE(told.detector->meets({x - 1e-3, track.position.y, track.position.z}, 0));
+  // A second later the tube is half a metre wider: it may accelerate with 1 m/s^2.
+  EXPECT_TRUE(told.detector->meets({x - 0.499, track.position.y, track.position.z}, 1000000000));
+  EXPECT_FALSE(told.detector->meets({x - 0.501, track.position.y, track.position.z}, 1000000000));
 }
 
 TEST(ThingDetector, SeesNeitherTooFarNorThroughWalls) {

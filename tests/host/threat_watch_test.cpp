@@ -36,13 +36,16 @@ struct Wall {
   std::string watch(const std::function<tern::FlightReport(std::int64_t)>& report, int ticks = 200) {
     const tern_host::Rooms rooms(world, map);
     const tern_host::FlownCommands commands{[](std::int64_t t) { return command(t); }, [] { return tern::Vec3{}; }};
-    tern_host::ThreatWatch watch(world.settings, spec, map, rooms, commands);
+    tern_host::ThreatWatch watch(world.settings, spec, map, rooms, commands, meets);
     for (std::int64_t t = 0; t < ticks * kWatchTick && watch.broken().empty(); t += kWatchTick) {
       if (t == kAppears) map.mark_box({{5.0, -2.0, 0.0}, {6.5, 2.0, 4.0}});
       watch.look(t, report(t));
     }
     return watch.broken();
   }
+
+  /// Nothing moves, unless a test says so.
+  tern_host::Meets meets = [](const tern::Vec3&, std::int64_t) { return false; };
 
   static tern::Sample command(std::int64_t t) {
     const double s = std::clamp(1e-9 * static_cast<double>(t), 0.0, 3.0);

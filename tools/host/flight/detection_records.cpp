@@ -11,6 +11,26 @@ void set_detection_error(FlightSettings& s, const Words& words, const Place& pla
   s.detection_speed_error = within(words[0], values[1], {0.0, 10.0}, place);
 }
 
+/// A source, and for clusters what they are taken for. What sensors are to track, they must see.
+void set_detection_source(FlightSettings& s, const Words& words, const Place& place) {
+  static const std::map<std::string, tern::TrackClass> kClasses = {
+      {"person", tern::TrackClass::kPerson},    {"cyclist", tern::TrackClass::kCyclist},
+      {"car", tern::TrackClass::kCar},          {"truck", tern::TrackClass::kTruck},
+      {"bird", tern::TrackClass::kBird},        {"drone", tern::TrackClass::kDrone},
+      {"aircraft", tern::TrackClass::kAircraft}};
+  const bool is_truth = words.size() == 2 && words[1] == "truth";
+  const auto kind = words.size() == 3 && words[1] == "clusters" ? kClasses.find(words[2]) : kClasses.end();
+  if (!is_truth && kind == kClasses.end()) {
+    throw RecordError(place,
+                      "detection_source is truth, or clusters and a class: person, cyclist, car, truck, bird, "
+                      "drone or aircraft");
+  }
+  s.detection_source = words[1];
+  if (is_truth) return;
+  s.cluster_class = kind->second;
+  s.things_seen = 1;
+}
+
 void set_from_beyond(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<double> values = two_numbers(words, place);
   s.beyond_speed = within(words[0], values[0], {0.0, 1000.0}, place);
@@ -23,6 +43,8 @@ void add_detection_setters(Setters& setters) {
   using S = FlightSettings;
   setters["things"] = whole(&S::things, 0.0, 1.0);
   setters["things_seen"] = whole(&S::things_seen, 0.0, 1.0);
+  setters["detection_source"] = set_detection_source;
+  setters["thing_memory"] = real(&S::thing_memory, 0.0, 1e6);
   setters["detection_hz"] = real(&S::detection_hz, 0.1, 1000.0);
   setters["detection_latency"] = real(&S::detection_latency, 0.0, 10.0);
   setters["detection_error"] = set_detection_error;

@@ -26,6 +26,12 @@ Json cameras_json(const FlightSettings& s) {
   return all;
 }
 
+/// The source, and for clusters the number of the class that they are taken for.
+Json source_json(const FlightSettings& s) {
+  if (s.detection_source == "truth") return s.detection_source;
+  return {s.detection_source, static_cast<int>(s.cluster_class)};
+}
+
 Json settings_json(const FlightSettings& s) {
   return {{"body_radius", s.body_radius},
           {"tracking_margin", s.tracking_margin},
@@ -81,6 +87,8 @@ Json settings_json(const FlightSettings& s) {
           {"seed", s.seed},
           {"things", s.things},
           {"things_seen", s.things_seen},
+          {"detection_source", source_json(s)},
+          {"thing_memory", s.thing_memory},
           {"detection_hz", s.detection_hz},
           {"detection_latency", s.detection_latency},
           {"detection_error", {s.detection_error, s.detection_speed_error}},

@@ -15,6 +15,7 @@
 #include "host/vehicle/air.hpp"
 #include "host/vehicle/pose_error.hpp"
 #include "tern/flight.hpp"
+#include "tern/track_class.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
 
@@ -118,6 +119,11 @@ struct FlightSettings {
   // What the flight is told of things that move.
   int things = 1;       ///< 0: there are none, as if the world's file had no such records
   int things_seen = 0;  ///< 1: cameras and lidars see them
+  /// "truth": the simulator measures them; "clusters": cameras and lidars do, by what hits where the map saw free
+  /// space.
+  std::string detection_source = "truth";
+  tern::TrackClass cluster_class = tern::TrackClass::kPerson;  ///< what clusters are taken for
+  double thing_memory = 0.0;  ///< a track not measured for longer, s, is forgotten; 0: none is
   double detection_hz = 10.0;
   double detection_latency = 0.05;     ///< s
   double detection_error = 0.03;       ///< largest error of a place, m

@@ -27,18 +27,20 @@ Sensor::Sensor(const FlightWorld& world, const FlightWorld& still_world, const t
       watch_(still_world, spec, map, std::move(explains)),
       waiting_(1 + world.settings.cameras.size()) {}
 
-void Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {
+const Sensor::Frame* Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {
   const FlightSettings& s = world_.settings;
   const double seconds = 1e-9 * static_cast<double>(t);
-  if (seconds >= s.frames_until || static_cast<double>(taken_) > seconds * s.sensor_hz) return;
+  if (seconds >= s.frames_until || static_cast<double>(taken_) > seconds * s.sensor_hz) return nullptr;
   ++taken_;
-  if (!noise_.chance(s.dropout)) waiting_[0].push_back(frame(t, vehicle, yaw, pitch));
+  const bool is_lost = noise_.chance(s.dropout);
+  if (!is_lost) waiting_[0].push_back(frame(t, vehicle, yaw, pitch));
   for (std::size_t k = 0; k < s.cameras.size(); ++k) {
     SensorMount mount = s.mount;
     mount.turn += s.cameras[k].turn;
     mount.pitch += s.cameras[k].pitch;
     if (!noise_.chance(s.dropout)) waiting_[k + 1].push_back(image(t, vehicle, mount, yaw, 0.0));
   }
+  return is_lost ? nullptr : &waiting_[0].back();
 }
 
 /// The queue whose turn it is, if a frame of it has arrived. Of those that have, only the last one counts.

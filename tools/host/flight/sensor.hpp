@@ -28,8 +28,11 @@ class Sensor {
   Sensor(const FlightWorld& world, const FlightWorld& still_world, const tern::MapSpec& spec, tern::RollingMap& map,
          Noise& noise, FlightTape& tape, Explains explains);
 
-  /// To be called at every tick. `yaw`: where the camera looks, and `pitch`: how far a gimbal pitches it up, rad.
-  void take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);
+  using Frame = std::variant<DepthFrame, LidarScan>;
+
+  /// To be called at every tick. `yaw`: where the camera looks, and `pitch`: how far a gimbal pitches it up, rad. What
+  /// the sensor has taken, until the next call; null for nothing. Not what further cameras have.
+  const Frame* take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);
   /// Enters what has arrived, if the map is ready: to be called before every tick that is done.
   void deliver(std::int64_t t);
   const FrameWatch& watch() const { return watch_; }
@@ -37,8 +40,6 @@ class Sensor {
   void forget_world() { watch_.forget_world(); }
 
  private:
-  using Frame = std::variant<DepthFrame, LidarScan>;
-
   Frame frame(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch);
   Frame image(std::int64_t t, const Vehicle& vehicle, const SensorMount& mount, double yaw, double pitch);
   std::deque<Frame>* next(std::int64_t t);

@@ -129,7 +129,8 @@ class Simulation {
     set_wishes();
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
     watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, commands_);
-    threats_ = std::make_unique<ThreatWatch>(world_.settings, spec_, map_, watch_->rooms(), commands_);
+    threats_ = std::make_unique<ThreatWatch>(world_.settings, spec_, map_, watch_->rooms(), commands_,
+                                             [this](const auto& place, auto t) { return things_.meets(place, t); });
     mission_ = std::make_unique<MissionWatch>(world_, flight_, commands_.at);
     yaw_watch_ = std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](auto t) { return flight_.yaw(t); });
   }
@@ -191,8 +192,11 @@ class Simulation {
   FlightEnding tick() {
     faults_.appear(time_, commands_.at);
     seen_.move_to(time_);
-    sensor_.take(time_, *vehicle_, yaw(), gimbal_.pitch());
+    const Sensor::Frame* const frame = sensor_.take(time_, *vehicle_, yaw(), gimbal_.pitch());
     things_.sense(time_, *vehicle_);
+    if (frame != nullptr) {
+      std::visit([this](const auto& taken) { things_.see(taken, vehicle_->estimate(), map_); }, *frame);
+    }
     const bool skipped = faults_.skips_tick();
     if (!skipped) do_tick();
     const tern::Command command = flight_.command(time_);

@@ -37,8 +37,13 @@ double nearest(const std::vector<Appearance>& things, const Vec3& p) {
 }  // namespace
 
 ThreatWatch::ThreatWatch(const FlightSettings& settings, const tern::FlightSpec& spec, const tern::RollingMap& map,
-                         const Rooms& rooms, FlownCommands commands)
-    : settings_(settings), spec_(spec), map_(map), rooms_(rooms), commands_(std::move(commands)) {}
+                         const Rooms& rooms, FlownCommands commands, Meets meets)
+    : settings_(settings),
+      spec_(spec),
+      map_(map),
+      rooms_(rooms),
+      commands_(std::move(commands)),
+      meets_(std::move(meets)) {}
 
 void ThreatWatch::fail(const std::string& what, std::int64_t t) {
   if (broken_.empty()) broken_ = "threat at t = " + fixed(1e-9 * static_cast<double>(t), 3) + ": " + what;
@@ -114,8 +119,9 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
   const std::int64_t earliest = unproven_ - static_cast<std::int64_t>(1e9 * slack) - 100 * kMicrosecond;
   const std::int64_t begun = t + kLongestLead * spec_.tick;
   const std::int64_t latest = unproven_ <= begun ? std::max(begun, first_unproven(begun)) : unproven_;
+  const Vec3 place = commands_.at(report.contact_time).position;
   const bool is_early =
-      report.contact_time < earliest && rooms_.from_solid(commands_.at(report.contact_time).position) > kLeastGap;
+      report.contact_time < earliest && rooms_.from_solid(place) > kLeastGap && !meets_(place, report.contact_time);
   if (is_early || report.contact_time > latest + kMicrosecond) {
     fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
              ", but what is commanded is too near at t = " + fixed(1e-9 * static_cast<double>(unproven_), 4),
@@ -127,8 +133,10 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
 /// flight still looked at the map that showed it.
 void ThreatWatch::check_past(std::int64_t t, const tern::FlightReport& report) {
   if (report.contact_time == last_.contact_time) return;
-  const double room = rooms_.from_solid(commands_.at(report.contact_time).position);
-  if (room <= kLeastGap && report.contact_time >= t - notice_ticks() * spec_.tick) return;
+  const Vec3 place = commands_.at(report.contact_time).position;
+  const double room = rooms_.from_solid(place);
+  const bool is_met = room <= kLeastGap || meets_(place, report.contact_time);
+  if (is_met && report.contact_time >= t - notice_ticks() * spec_.tick) return;
   fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
            ", which is past, with " + brief(room) + " m of room there",
        t);

@@ -7,6 +7,7 @@
 #define TERN_HOST_FLIGHT_THREAT_WATCH_HPP
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,14 @@ struct ThreatContact {
   double tolerance = 0.0;        ///< by which the contact may be faster than either of the two
 };
 
+/// True if a vehicle at this place at time t, ns, is too near to the tube of a thing that the flight was told of.
+using Meets = std::function<bool(const tern::Vec3& place, std::int64_t t)>;
+
 class ThreatWatch {
  public:
   /// All must outlive the watch, and what the commands come from. `rooms` know where the vehicle rested.
   ThreatWatch(const FlightSettings& settings, const tern::FlightSpec& spec, const tern::RollingMap& map,
-              const Rooms& rooms, FlownCommands commands);
+              const Rooms& rooms, FlownCommands commands, Meets meets);
 
   /// Right after a tick: after all from the first one on after which the world has changed or there is a threat.
   void look(std::int64_t t, const tern::FlightReport& report);
@@ -56,6 +60,7 @@ class ThreatWatch {
   const tern::RollingMap& map_;
   const Rooms& rooms_;
   FlownCommands commands_;
+  Meets meets_;
   std::uint64_t revision_ = 0;
   std::int64_t unproven_ = -1;  ///< when what is commanded comes too near to what the map shows; negative: never
   std::int64_t shown_ = -1;     ///< since when that is so

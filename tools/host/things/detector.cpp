@@ -33,7 +33,12 @@ Vec3 expected_place(const tern::Track& track, std::int64_t t) {
 }  // namespace
 
 Detector::Detector(const FlightWorld& world, const std::vector<ThingMotion>& things)
-    : world_(world), things_(things), noise_(world.settings.seed ^ kDetectorStream), ids_(things.size()) {
+    : world_(world),
+      things_(things),
+      noise_(world.settings.seed ^ kDetectorStream),
+      ids_(things.size()),
+      clusters_(world.settings.cluster_class),
+      watch_(world.things, things) {
   std::iota(ids_.begin(), ids_.end(), 0u);
 }
 
@@ -88,7 +93,7 @@ void Detector::swap_identities(std::vector<Measurement>& seen) {
 void Detector::take(std::int64_t t, const Vehicle& vehicle) {
   const FlightSettings& s = world_.settings;
   const double seconds = 1e-9 * static_cast<double>(t);
-  if (things_.empty() || static_cast<double>(taken_) > seconds * s.detection_hz) return;
+  if (uses_clusters() || things_.empty() || static_cast<double>(taken_) > seconds * s.detection_hz) return;
   ++taken_;
   const Vec3 pose_error = along(vehicle.estimate(), -1.0, vehicle.position());
   Scan scan{t, vehicle.estimate(), {}};
@@ -101,16 +106,35 @@ void Detector::take(std::int64_t t, const Vehicle& vehicle) {
   waiting_.push_back(std::move(scan));
 }
 
+template <typename Frame>
+void Detector::see(const Frame& frame, const Vec3& eye, const tern::RollingMap& map) {
+  const FlightSettings& s = world_.settings;
+  const double seconds = 1e-9 * static_cast<double>(frame.taken);
+  if (!uses_clusters() || static_cast<double>(taken_) > seconds * s.detection_hz) return;
+  ++taken_;
+  const std::vector<tern::Track> tracks = clusters_.see(frame, map);
+  watch_.note(frame, s.sensor_range, tracks);
+  Scan scan{frame.taken, eye, {}};
+  for (const tern::Track& track : tracks) scan.seen.push_back({watch_.thing_of(track), track});
+  waiting_.push_back(std::move(scan));
+}
+
+template void Detector::see(const DepthFrame&, const Vec3&, const tern::RollingMap&);
+template void Detector::see(const LidarScan&, const Vec3&, const tern::RollingMap&);
+
 void Detector::deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape) {
   const std::int64_t latency = std::llround(1e9 * world_.settings.detection_latency);
   for (; !waiting_.empty() && waiting_.front().taken + latency <= t; waiting_.pop_front()) {
     tell(waiting_.front(), flight, tape);
+    for (const Measurement& one : waiting_.front().seen) {
+      if (uses_clusters()) watch_.note_told(one.track, t);
+    }
   }
 }
 
 void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
   while (!told_.empty() && told_.front().measured + kTellsOfHitsFor < scan.taken) told_.pop_front();
-  forget_far(scan, flight, tape);
+  forget_lost(scan, flight, tape);
   std::vector<Measurement> order = scan.seen;
   std::stable_sort(order.begin(), order.end(), [&scan](const Measurement& a, const Measurement& b) {
     return distance_between(a.track.position, scan.from) < distance_between(b.track.position, scan.from);
@@ -129,13 +153,15 @@ void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
   }
 }
 
-void Detector::forget_far(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
+void Detector::forget_lost(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
+  const auto memory = static_cast<std::int64_t>(1e9 * world_.settings.thing_memory);
   for (auto it = known_.begin(); it != known_.end();) {
     const tern::Track& track = it->second.track;
     const bool is_far =
         distance_between(expected_place(track, scan.taken), scan.from) > world_.settings.detection_range;
-    if (is_far) tape.forget_track(flight, it->first);
-    it = is_far ? known_.erase(it) : std::next(it);
+    const bool is_lost = is_far || (memory > 0 && scan.taken - track.measured > memory);
+    if (is_lost) tape.forget_track(flight, it->first);
+    it = is_lost ? known_.erase(it) : std::next(it);
   }
 }
 
@@ -164,11 +190,30 @@ bool Detector::explains(const Vec3& point, std::int64_t t, double room) const {
   });
 }
 
+bool Detector::meets(const Vec3& place, std::int64_t t) const {
+  constexpr double kRounding = 1e-6;
+  const FlightSettings& s = world_.settings;
+  const double clearance = s.body_radius + s.pose_margin + s.tracking_margin + kRounding;
+  return std::any_of(known_.begin(), known_.end(), [&](const auto& entry) {
+    const tern::Track& track = entry.second.track;
+    const double age = 1e-9 * static_cast<double>(t - track.measured);
+    if (age < 0.0) return false;
+    const double error = track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
+    const bool reaches = track.reach == 0.0 ||
+                         surface_distance(track, track.position, place) <= track.error + track.reach * age + clearance;
+    return reaches && surface_distance(track, expected_place(track, t), place) <= error + clearance;
+  });
+}
+
 const tern::Track* Detector::known(std::size_t thing) const {
+  const tern::Track* latest = nullptr;
   for (const auto& [id, measurement] : known_) {
-    if (measurement.thing == thing) return &measurement.track;
+    if (measurement.thing != thing) continue;
+    if (!uses_clusters()) return &measurement.track;
+    // A thing that changed its identity is where its latest track says.
+    if (latest == nullptr || measurement.track.measured > latest->measured) latest = &measurement.track;
   }
-  return nullptr;
+  return latest;
 }
 
 }  // namespace tern_host

@@ -14,7 +14,9 @@
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
+#include "host/things/cluster_detector.hpp"
 #include "host/things/thing_motion.hpp"
+#include "host/things/tracking_watch.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 
@@ -33,19 +35,28 @@ class Detector {
 
   /// To be called at every tick.
   void take(std::int64_t t, const Vehicle& vehicle);
+  /// A frame or scan was taken from `eye`: if sensors are the detector, they measure what is due.
+  template <typename Frame>
+  void see(const Frame& frame, const tern::Vec3& eye, const tern::RollingMap& map);
   /// Tells the flight what has arrived: to be called before every tick that is done. It forgets what is expected to be
-  /// out of range. If it knows as many things as it can, the farthest one makes room for a nearer one.
+  /// out of range, and what was not measured for `thing_memory`. If it knows as many things as it can, the farthest one
+  /// makes room for a nearer one.
   void deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape);
   /// What the flight was told last of a thing that it knows; null if it knows it not.
   const tern::Track* known(std::size_t thing) const;
   /// True if what a frame of time t, ns, hits within `room` m of `point` may be a thing of which the flight was told,
   /// by a measurement from about then.
   bool explains(const tern::Vec3& point, std::int64_t t, double room) const;
+  /// True if a vehicle at `place` at time t, ns, is nearer than its clearance to the tube of a thing that the flight
+  /// knows.
+  bool meets(const tern::Vec3& place, std::int64_t t) const;
   const DetectorCounts& counts() const { return counts_; }
+  bool uses_clusters() const { return world_.settings.detection_source == "clusters"; }
+  TrackingFigures tracking() const { return watch_.figures(); }
 
  private:
   struct Measurement {
-    std::size_t thing;
+    std::size_t thing;  ///< kNoThing if it is of none
     tern::Track track;
   };
   struct Scan {
@@ -58,7 +69,7 @@ class Detector {
   Measurement measure(std::size_t thing, std::int64_t t, const tern::Vec3& pose_error);
   void swap_identities(std::vector<Measurement>& seen);
   void tell(const Scan& scan, tern::Flight& flight, FlightTape& tape);
-  void forget_far(const Scan& scan, tern::Flight& flight, FlightTape& tape);
+  void forget_lost(const Scan& scan, tern::Flight& flight, FlightTape& tape);
   bool make_room(const Scan& scan, double far, tern::Flight& flight, FlightTape& tape);
 
   const FlightWorld& world_;
@@ -70,6 +81,8 @@ class Detector {
   std::deque<tern::Track> told_;                ///< lately
   std::int64_t taken_ = 0;
   DetectorCounts counts_;
+  ClusterDetector clusters_;
+  TrackingWatch watch_;
 };
 
 }  // namespace tern_host

@@ -21,17 +21,37 @@ double time_to_close(double way, double speed, double acceleration) {
   return (std::sqrt(speed * speed + 2.0 * acceleration * way) - speed) / acceleration;
 }
 
+/// How wide and how tall a shape is from its centre on, m.
+struct Extent {
+  double level, up;
+};
+
+template <typename Shaped>
+Extent extent_of(const Shaped& shaped) {
+  if (shaped.shape == tern::TrackShape::kBall) return {shaped.radius, shaped.radius};
+  if (shaped.shape == tern::TrackShape::kCylinder) return {shaped.radius, shaped.half.z};
+  return {std::hypot(shaped.half.x, shaped.half.y), shaped.half.z};
+}
+
+/// How far a thing must be moved to be in the shape of a track, m, or more. `off`: its centre from the track's.
+double outside(const tern::Track& track, const Thing& thing, const tern::Vec3& off) {
+  const Extent holds = extent_of(track), held = extent_of(thing);
+  const double level = std::hypot(off.x, off.y) - (holds.level - held.level);
+  const double up = std::abs(off.z) - (holds.up - held.up);
+  return std::hypot(std::max(level, 0.0), std::max(up, 0.0));
+}
+
 }  // namespace
 
-bool is_in_tube(const tern::Track& track, const tern::Vec3& place, std::int64_t t) {
+bool is_in_tube(const tern::Track& track, const Thing& thing, const tern::Vec3& place, std::int64_t t) {
   const double s = 1e-9 * static_cast<double>(t - track.measured);
   if (s < 0.0) return false;
   constexpr double kRounding = 1e-9;
-  const tern::Vec3 off = along(place, -1.0, along(track.position, s, track.velocity));
   const double error = track.error + track.error_speed * s + 0.5 * track.error_growth * s * s;
-  const double moved = length(along(place, -1.0, track.position));
+  const double moved = outside(track, thing, along(place, -1.0, track.position));
+  const double off = outside(track, thing, along(place, -1.0, along(track.position, s, track.velocity)));
   const bool reaches = track.reach == 0.0 || moved <= track.error + track.reach * s + kRounding;
-  return length(off) <= error + kRounding && reaches;
+  return off <= error + kRounding && reaches;
 }
 
 ThingWatch::ThingWatch(const std::vector<Thing>& things, const std::vector<ThingMotion>& motions)
@@ -71,7 +91,7 @@ void ThingWatch::look(std::int64_t t, const MovingBody& body, double command_spe
 
 void ThingWatch::begin_contact(std::size_t thing, std::int64_t t, const tern::Vec3& place, double command_speed) {
   const std::optional<tern::Track>& track = proven_with_[thing];
-  const bool in_tube = is_proven_ && track.has_value() && is_in_tube(*track, place, t);
+  const bool in_tube = is_proven_ && track.has_value() && is_in_tube(*track, things_[thing], place, t);
   contacts_.push_back({thing, 1e-9 * static_cast<double>(t), command_speed, command_speed > kMoving, in_tube});
 }
 

@@ -28,8 +28,8 @@ struct ThingContact {
   bool in_tube;    ///< the thing was where the proof of what was flown allowed it to be
 };
 
-/// True if a centre at `place` at time t, ns, is in both tubes of a track.
-bool is_in_tube(const tern::Track& track, const tern::Vec3& place, std::int64_t t);
+/// True if a thing at `place` at time t, ns, is in both tubes of a track: all of it, whatever shape the track has.
+bool is_in_tube(const tern::Track& track, const Thing& thing, const tern::Vec3& place, std::int64_t t);
 
 /// The vehicle: a ball.
 struct MovingBody {

@@ -18,6 +18,7 @@ namespace tern_host {
 /// What a flight met among things that move.
 struct ThingTotals {
   DetectorCounts detector;
+  TrackingFigures tracking;  ///< if sensors are the detector
   std::vector<ThingContact> contacts;
   double step = 0.0;                            ///< s, from one place to the next
   std::vector<std::vector<tern::Vec3>> places;  ///< of each thing, from time 0 on
@@ -33,12 +34,19 @@ class ThingsInFlight {
 
   /// At every tick: measures what is due.
   void sense(std::int64_t t, const Vehicle& vehicle);
+  /// After every frame or scan that was taken, as Detector::see().
+  template <typename Frame>
+  void see(const Frame& frame, const tern::Vec3& eye, const tern::RollingMap& map) {
+    detector_.see(frame, eye, map);
+  }
   /// Before every tick that is done.
   void tell(std::int64_t t, tern::Flight& flight, FlightTape& tape) { detector_.deliver(t, flight, tape); }
   /// As Detector::explains().
   bool explains(const tern::Vec3& point, std::int64_t t, double room) const {
     return detector_.explains(point, t, room);
   }
+  /// As Detector::meets().
+  bool meets(const tern::Vec3& place, std::int64_t t) const { return detector_.meets(place, t); }
   /// After every tick that is done. `evades`: what was committed last was so under a threat.
   void note_tick(const tern::FlightReport& report, bool evades);
   /// Hunters choose what they do for the next `step`, ns.
@@ -52,7 +60,7 @@ class ThingsInFlight {
   tern::Vec3 place(std::size_t thing, std::int64_t t) const {
     return motions_[thing].at(1e-9 * static_cast<double>(t)).position;
   }
-  ThingTotals totals() const { return {detector_.counts(), watch_.contacts(), step_, places_}; }
+  ThingTotals totals() const { return {detector_.counts(), detector_.tracking(), watch_.contacts(), step_, places_}; }
   /// A contact in motion with a thing that kept its bounds, in words; empty while there is none.
   std::string broken() const;
   /// One with a thing that did not, or was not known: fills in `contact`. False while there is none.

@@ -1,0 +1,119 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern_tracker/changes.hpp"
+
+#include <cmath>
+
+namespace tern_tracker {
+namespace {
+
+using tern::Vec3;
+
+constexpr double kBeamShows = 0.36;  // of a scan_pixel
+
+/// A range of voxels along one axis; false if it is not in the window.
+bool voxels_within(double at, double error, double origin, double cell, std::int32_t dim, std::int32_t& first,
+                   std::int32_t& last) {
+  const double low = std::floor((at - error - origin) / cell), high = std::floor((at + error - origin) / cell);
+  if (!(low >= 0.0 && high < dim)) return false;
+  first = static_cast<std::int32_t>(low);
+  last = static_cast<std::int32_t>(high);
+  return true;
+}
+
+/// A vector of a camera's own axes in the world's. The quaternion is one of unit length, or nearly.
+Vec3 turned(const double (&q)[4], const Vec3& v) {
+  // v + 2 u x (u x v + w v), where u is the vector part.
+  const Vec3 a{q[2] * v.z - q[3] * v.y + q[0] * v.x, q[3] * v.x - q[1] * v.z + q[0] * v.y,
+               q[1] * v.y - q[2] * v.x + q[0] * v.z};
+  const Vec3 b{q[2] * a.z - q[3] * a.y, q[3] * a.x - q[1] * a.z, q[1] * a.y - q[2] * a.x};
+  return {v.x + 2.0 * b.x, v.y + 2.0 * b.y, v.z + 2.0 * b.z};
+}
+
+double length(const Vec3& v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+Vec3 along(const Vec3& from, double way, const Vec3& direction) {
+  return {from.x + way * direction.x, from.y + way * direction.y, from.z + way * direction.z};
+}
+
+/// The depth of a pixel, m; 0 where it has none.
+double depth_of(const tern::DepthView& view, std::int32_t u, std::int32_t v) {
+  const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(view.stride) + static_cast<std::size_t>(u);
+  if (view.z16 != nullptr && view.z16[pixel] == 65535) return 0.0;
+  const double depth = view.scale * (view.z16 != nullptr ? view.z16[pixel] : static_cast<double>(view.z32[pixel]));
+  return depth > 0.0 && depth >= view.min && depth < view.max ? depth : 0.0;
+}
+
+double depth_error(const tern::MapSpec& spec, double depth) {
+  return spec.depth_margin + spec.depth_margin_square * depth * depth;
+}
+
+/// Adds one that is a change. The first status that was not kOk stays.
+void add_change(const tern::RollingMap& map, const Vec3& point, double error, Clusters& clusters,
+                ClusterStatus& status) {
+  if (!is_change(map, point, error)) return;
+  const ClusterStatus added = clusters.add(point);
+  if (status == ClusterStatus::kOk) status = added;
+}
+
+}  // namespace
+
+bool is_change(const tern::RollingMap& map, const Vec3& point, double error) {
+  const tern::Grid& grid = map.safe();
+  if (!map.bound() || !grid.bound()) return false;
+  const tern::GridSpec& spec = grid.spec();
+  if (!(error >= 0.0 && error <= kMostErrorVoxels * spec.cell)) return false;
+  tern::Voxel first{}, last{};
+  if (!voxels_within(point.x, error, spec.origin.x, spec.cell, spec.dims.x, first.x, last.x) ||
+      !voxels_within(point.y, error, spec.origin.y, spec.cell, spec.dims.y, first.y, last.y) ||
+      !voxels_within(point.z, error, spec.origin.z, spec.cell, spec.dims.z, first.z, last.z)) {
+    return false;
+  }
+  for (std::int32_t z = first.z; z <= last.z; ++z) {
+    for (std::int32_t y = first.y; y <= last.y; ++y) {
+      for (std::int32_t x = first.x; x <= last.x; ++x) {
+        if (!map.seen({x, y, z})) return false;
+      }
+    }
+  }
+  return true;
+}
+
+ClusterStatus add_changes(const tern::RollingMap& map, const tern::DepthView& view, const tern::Pose& pose,
+                          Clusters& clusters) {
+  if (!map.bound() || (view.z16 == nullptr) == (view.z32 == nullptr)) return ClusterStatus::kInvalidArgument;
+  const tern::MapSpec& spec = map.spec();
+  const double half_pixel = 0.5 * std::sqrt(1.0 / (view.fx * view.fx) + 1.0 / (view.fy * view.fy));
+  ClusterStatus status = ClusterStatus::kOk;
+  for (std::int32_t v = 0; v < view.height; ++v) {
+    for (std::int32_t u = 0; u < view.width; ++u) {
+      const double depth = depth_of(view, u, v);
+      if (!(depth > 0.0 && depth <= spec.range)) continue;
+      const Vec3 ray{(u - view.cx) / view.fx, (v - view.cy) / view.fy, 1.0};
+      const double longer = length(ray);
+      const double error =
+          spec.pose_margin + longer * (depth_error(spec, depth) + spec.angle_margin * depth) + half_pixel * depth;
+      add_change(map, along(pose.position, depth, turned(pose.quaternion, ray)), error, clusters, status);
+    }
+  }
+  return status;
+}
+
+ClusterStatus add_changes(const tern::RollingMap& map, const tern::Beams& beams, const Vec3& origin,
+                          Clusters& clusters) {
+  if (!map.bound() || beams.directions == nullptr || beams.ranges == nullptr) return ClusterStatus::kInvalidArgument;
+  const tern::MapSpec& spec = map.spec();
+  ClusterStatus status = ClusterStatus::kOk;
+  for (std::size_t k = 0; k < beams.count; ++k) {
+    const double range = static_cast<double>(beams.ranges[k]), norm = length(beams.directions[k]);
+    if (!(range > 0.0 && range >= beams.min && range < beams.max && range <= spec.range && norm > 0.0)) continue;
+    const double error =
+        spec.pose_margin + depth_error(spec, range) + (spec.angle_margin + kBeamShows * spec.scan_pixel) * range;
+    add_change(map, along(origin, range / norm, beams.directions[k]), error, clusters, status);
+  }
+  return status;
+}
+
+}  // namespace tern_tracker
