@@ -255,12 +255,17 @@ void MapState::carve_brick(std::int64_t index, Work& work) noexcept {
   std::int64_t& latest_hit = hit_times[index];
   if (frame.part == 0) want_brick(brick, latest_hit);
   const int parts = frame.parts_of_view();
-  const int view = frame.part / parts;
+  const Voxel first{brick.x.begin, brick.y.begin, brick.z.begin};
+  int view = frame.part / parts;
   const bool begins = frame.part == view * parts;
-  const CarvePart part{begins, begins && parts > 1 ? kFirstHalf : kAllCubes};
-  carve(frame.views[view], frame.projectors[view], {brick.x.begin, brick.y.begin, brick.z.begin}, frame.wanted,
-        frame.free, part, frame.left, work);
-  frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // usually, no cube is left for a second part
+  while (begins && view < frame.view_count && misses(frame.views[view], frame.projectors[view], first)) ++view;
+  work.spend(kMissesOperations * (view + 1));
+  if (begins) frame.part = view * parts;
+  if (view < frame.view_count) {
+    const CarvePart part{begins, begins && parts > 1 ? kFirstHalf : kAllCubes};
+    carve(frame.views[view], frame.projectors[view], first, frame.wanted, frame.free, part, frame.left, work);
+    frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // usually, no cube is left for a second part
+  }
   if (frame.part < frame.view_count * parts) return;
   frame.part = 0;
   enter_brick(brick, latest_hit, work);

@@ -24,7 +24,7 @@ namespace tern {
 
 /// Points or beams of a piece, and the operations of such a piece: each is sorted into a face, and marked.
 constexpr std::size_t kPiecePoints = 64;
-constexpr Operations kPointsOperations = 64 * 21 * ops::kDot;
+constexpr Operations kPointsOperations = 64 * 9 * ops::kDot;
 /// Operations of marking a word of the prior in the layers of both grids, with their changes.
 constexpr Operations kMarkOperations = 11 * ops::kWord;
 
@@ -169,7 +169,7 @@ class MapState {
 
   /// Operations of a row of pixels: each is read and marked, and with support compared with its neighbours.
   Operations pixels_operations(std::int32_t width) const noexcept {
-    return ops::kPiece + (3 * ops::kDot + (spec.support > 0 ? 6 * ops::kDot : 0)) * width;
+    return ops::kPiece + (2 * ops::kDot + (spec.support > 0 ? 6 * ops::kDot : 0)) * width;
   }
   /// Operations of moving a plane in seven layers. If it moves by whole rows, words are copied; otherwise each is
   /// shifted.

@@ -41,6 +41,7 @@ bool hidden(const DepthPyramid& pyramid, const Cores& cores, int k) {
   if (cores.beside[k / 4][k % 4] != 0) return true;
   if (cores.ahead[k / 4][k % 4] == 0) return false;
   const PixelBox box = cores.pixels.at(k);
+  if (cores.common[k / 4][k % 4] != 0) return !pyramid.reaches(box, cores.far[k / 4][k % 4]);
   const std::int32_t level = pyramid.level_for(box);
   return level < pyramid.levels() && pyramid.most(box, level) < cores.far[k / 4][k % 4];
 }
@@ -90,7 +91,7 @@ struct Carver {
   CubeBits decide(const Centers& centers, const Cube* cubes) {
     bool chosen[8];
     const bool around = view.reach > 0.0;
-    work.spend(choose_operations(kSize, around));
+    work.spend(choose_operations(kSize));
     if (!choose<kSize>(centers, cubes, chosen)) return 0;
     work.spend(decide_operations(around));
     const Footprints feet = projector.footprints(centers, kSize);
@@ -132,13 +133,20 @@ BrickWords without(const BrickWords& wanted, const BrickWords& free) {
   return open;
 }
 
+Point middle_of(const View& view, const Voxel& first) {
+  const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBrick, first.z + 0.5 * kBrick);
+  return {static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)};
+}
+
 }  // namespace
+
+bool misses(const View& view, const Projector& projector, const Voxel& first) noexcept {
+  return projector.misses(middle_of(view, first), {64.0f, kBrick, kBrick});
+}
 
 void carve(const View& view, const Projector& projector, const Voxel& first, const BrickWords& wanted, BrickWords& free,
            const CarvePart& part, CubeBits& left, Work& work) noexcept {
-  const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBrick, first.z + 0.5 * kBrick);
-  const Centers centers =
-      projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBrick);
+  const Centers centers = projector.row(middle_of(view, first), kBrick);
   Cube cubes[8];
   for (int k = 0; k < 8; ++k) cubes[k] = {kBrick * k, 0, 0};
   // The views of a scan overlap. What one of them has seen, the next ones need not look for.

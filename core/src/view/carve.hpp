@@ -15,24 +15,25 @@ namespace tern {
 constexpr std::int32_t kBrick = 8;
 
 /// Operations of choosing among eight cubes: their words and, unless they are voxels, a look at the pyramid for each.
-/// In the view of a scan, the look is wider.
-constexpr Operations choose_operations(std::int32_t size, bool around) noexcept {
-  return 8 * (4 * ops::kWord + (size > 1 ? 3 * ops::kDot + (around ? 2 * ops::kDot : 0) : 0));
+constexpr Operations choose_operations(std::int32_t size) noexcept {
+  return 8 * (4 * ops::kWord + (size > 1 ? 5 * ops::kDot : 0));
 }
 /// Operations of a close look at the pixels of a voxel. In the view of a scan, decide_operations() has them.
 constexpr Operations kCloseOperations = 8 * ops::kDot;
 /// Operations of deciding eight cubes: their outlines and the pixels that cover them. The view of a scan has more of
 /// both.
 constexpr Operations decide_operations(bool around) noexcept {
-  return 8 * (around ? 15 : 5) * ops::kDot;
+  return 8 * (around ? 15 : 7) * ops::kDot;
 }
+/// Operations of misses().
+constexpr Operations kMissesOperations = 3 * ops::kDot;
 /// Operations of finding the voxels that earlier views of a scan have not seen.
 constexpr Operations kOpenOperations = ops::kWord * kBrick * kBrick;
 /// The most operations of a whole brick: cubes of 8, 4 and 2 voxels, and all voxels.
 constexpr Operations carve_operations(bool around) noexcept {
   constexpr Operations kCubes = 1 + 8 + 64;
-  return (around ? kOpenOperations : 0) + kCubes * (choose_operations(2, around) + decide_operations(around)) +
-         8 * 64 * (choose_operations(1, around) + decide_operations(around) + (around ? 0 : 8 * kCloseOperations));
+  return (around ? kOpenOperations : 0) + kCubes * (choose_operations(2) + decide_operations(around)) +
+         8 * 64 * (choose_operations(1) + decide_operations(around) + (around ? 0 : 8 * kCloseOperations));
 }
 
 /// A word for each row of a brick: [plane][row].
@@ -49,6 +50,9 @@ struct CarvePart {
   bool begins;
   CubeBits cubes;
 };
+
+/// True if the view sees no voxel of the brick whose lowest voxel is `first`.
+bool misses(const View& view, const Projector& projector, const Voxel& first) noexcept;
 
 /// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
 /// the brick's lowest voxel. Begins with cubes of 8 x 8 x 8 voxels and divides only those that cannot be decided as a

@@ -18,6 +18,9 @@ constexpr float kMostUnits = static_cast<float>(kDepthUnits + 1);
 constexpr float kWidest = static_cast<float>(kFaceTangent);
 constexpr float kBend = static_cast<float>(kFaceBend);
 constexpr float kMostReach = 0.5f;
+/// Of the pixels that footprints have in common, so many are looked at to each side of the middle one.
+constexpr std::int32_t kCommon = 2;
+static_assert(2 * kCommon < kCloseEntries, "reaches() is exact");
 /// sqrt(1 + t^2) <= 1 + kSlant * t for t up to kWidest.
 constexpr float kSlant = 0.5352f;
 /// 1 - sqrt(1 - r^2) <= kBulge * r for r up to kMostReach.
@@ -47,6 +50,13 @@ Four widening(Four t, Four reach) {
 Four bent(Four t) {
   return t / (1.0f + kBend * absolute(t));
 }
+
+FourInts later(const FourInts& x, const FourInts& y) {
+  return choose(x < y, y, x);
+}
+FourInts earlier(const FourInts& x, const FourInts& y) {
+  return choose(x < y, x, y);
+}
 }  // namespace
 
 Projector::Projector(const View& view, double extent) noexcept {
@@ -61,11 +71,19 @@ Projector::Projector(const View& view, double extent) noexcept {
   growth_ahead_ = static_cast<float>(view.growth_ahead);
   reach_ = static_cast<float>(view.reach);
   units_ = static_cast<float>(view.units);
-  const auto axis = [](double focal, double center, std::int32_t count) {
+  const bool around = view.reach > 0.0;
+  const auto axis = [around](double focal, double center, std::int32_t count) {
     const double rounding = 2.0 * kRounding * (absolute(center) + count);
-    return Axis{static_cast<float>(focal), static_cast<float>(center + 0.5 - rounding),
-                static_cast<float>(center + 0.5 + rounding), static_cast<float>(count),
-                static_cast<float>(count) - 0.5f};
+    const double least = around ? -kFaceTangent : (-0.5 - center - rounding) / focal;
+    const double most = around ? kFaceTangent : (count - 0.5 - center + rounding) / focal;
+    const double slack = 4.0 * kRounding * (most - least);
+    return Axis{static_cast<float>(focal),
+                static_cast<float>(center + 0.5 - rounding),
+                static_cast<float>(center + 0.5 + rounding),
+                static_cast<float>(count),
+                static_cast<float>(count) - 0.5f,
+                static_cast<float>(least - slack),
+                static_cast<float>(most + slack)};
   };
   u_ = axis(view.fx, view.cx, view.width);
   v_ = axis(view.fy, view.cy, view.height);
@@ -98,11 +116,6 @@ Centers Projector::row(const Point& center, float size) const noexcept {
   return centers;
 }
 
-Projector::Image Projector::image_of(const Axis& axis, Four from, Four to) noexcept {
-  return {whole(clamp(from, 0.0f, axis.last)), whole(clamp(to, 0.0f, axis.last)), (to < 0.0f) | (from >= axis.count),
-          (from >= 0.0f) & (to < axis.count)};
-}
-
 /// The least and the greatest tangent of a box of depths near .. far.
 struct Projector::Tangents {
   Four least, most;
@@ -117,29 +130,68 @@ struct Projector::Tangents {
     least = least - widening(least, reach);
     most = most + widening(most, reach);
   }
+  /// As widen(), for a box that ends before it begins. `least` may become larger than `most`, and each is moved by no
+  /// more than any larger tangent, or any smaller one, would be.
+  void close(Four reach) noexcept {
+    least = least + widening(larger(least, all(0.0f)), reach);
+    most = most - widening(smaller(most, all(0.0f)), reach);
+  }
 };
 
-Projector::Image Projector::project(const Axis& axis, const Tangents& t) noexcept {
-  return image_of(axis, axis.focal * t.least + axis.from, axis.focal * t.most + axis.to);
+/// Where a tangent is in the image, in pixels from its middle.
+inline Four Projector::place_of(const Axis& axis, Four tangent) const noexcept {
+  return axis.focal * (reach_ > 0.0f ? bent(tangent) : tangent);
 }
 
-/// Like project(), but for the view of a scan.
-Projector::Image Projector::project_bent(const Axis& axis, const Tangents& t) noexcept {
-  return image_of(axis, axis.focal * bent(t.least) + axis.from, axis.focal * bent(t.most) + axis.to);
+Projector::Image Projector::project(const Axis& axis, const Tangents& t) const noexcept {
+  const Four from = place_of(axis, t.least) + axis.from;
+  const Four to = place_of(axis, t.most) + axis.to;
+  return {whole(clamp(from, 0.0f, axis.last)), whole(clamp(to, 0.0f, axis.last)), (from >= 0.0f) & (to < axis.count)};
 }
 
-inline void Projector::put(PixelBoxes& out, int n, const Image& u, const Image& v) noexcept {
-  out.u0[n] = u.first;
-  out.u1[n] = u.last;
-  out.v0[n] = v.first;
-  out.v1[n] = v.last;
+/// Not 0 if all centres are outside of the image. Each is at most `far` ahead.
+FourInts Projector::aside(const Axis& axis, Four center, Four half, Four far) noexcept {
+  return (center + half < axis.least * far) | (center - half > axis.most * far);
 }
 
-inline void Projector::put(Cores& out, int n, const Image& u, const Image& v, const Span& span) noexcept {
-  put(out.pixels, n, u, v);
-  out.far[n] = whole(clamp(span.units, 0.0f, kMostUnits));
-  out.ahead[n] = span.near > kNearest;
-  out.beside[n] = (span.far <= 0.0f) | (span.units >= kMostUnits) | (out.ahead[n] & (u.beside | v.beside));
+bool Projector::misses(const Point& center, const Point& size) const noexcept {
+  const auto half = [&](float x, float y, float z) {
+    return 0.5f * (size.x * __builtin_fabsf(x) + size.y * __builtin_fabsf(y) + size.z * __builtin_fabsf(z));
+  };
+  const float far = center.z + half(steps_[0].z, steps_[1].z, steps_[2].z);
+  const float aside = half(steps_[0].x, steps_[1].x, steps_[2].x);
+  const float below = half(steps_[0].y, steps_[1].y, steps_[2].y);
+  return far <= 0.0f || center.x + aside < u_.least * far || center.x - aside > u_.most * far ||
+         center.y + below < v_.least * far || center.y - below > v_.most * far;
+}
+
+/// All footprints begin before the greatest of `t`, and end behind the least.
+Projector::Meeting Projector::meet(const Axis& axis, const Tangents& t) const noexcept {
+  const Four end = place_of(axis, t.least) + axis.from;
+  const Four begin = place_of(axis, t.most) + axis.to;
+  return {whole(clamp(smaller(begin, end), 0.0f, axis.last)), whole(clamp(larger(begin, end), 0.0f, axis.last)),
+          begin <= end, (begin < 0.0f) | (end >= axis.count)};
+}
+
+inline void Projector::put(PixelBoxes& out, int n, FourInts u0, FourInts u1, FourInts v0, FourInts v1) noexcept {
+  out.u0[n] = u0;
+  out.u1[n] = u1;
+  out.v0[n] = v0;
+  out.v1[n] = v1;
+}
+
+/// Where only one axis has pixels in common, one of these will do.
+inline void Projector::put(Cores& out, int n, const Meeting& u, const Meeting& v) noexcept {
+  out.common[n] = u.common & v.common;
+  const FourInts across = (u.first + u.last) >> 1;
+  const FourInts down = (v.first + v.last) >> 1;
+  const auto from = [&](const Meeting& m, FourInts middle) {
+    return choose(m.common, choose(out.common[n], later(m.first, middle - kCommon), middle), m.first);
+  };
+  const auto to = [&](const Meeting& m, FourInts middle) {
+    return choose(m.common, choose(out.common[n], earlier(m.last, middle + kCommon), middle), m.last);
+  };
+  put(out.pixels, n, from(u, across), to(u, across), from(v, down), to(v, down));
 }
 
 Footprints Projector::footprints(const Centers& centers, float size) const noexcept {
@@ -155,7 +207,7 @@ Footprints Projector::footprints(const Centers& centers, float size) const noexc
     const Four by_far = inverse(far);
     const Image u = project(u_, {centers.x[n], size * half_.x + grown, by_near, by_far});
     const Image v = project(v_, {centers.y[n], size * half_.y + grown, by_near, by_far});
-    put(out.pixels, n, u, v);
+    put(out.pixels, n, u.first, u.last, v.first, v.last);
     out.far[n] = whole(clamp(far * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
     out.inside[n] = ahead & u.within & v.within;
   }
@@ -180,54 +232,51 @@ Footprints Projector::footprints_around(const Centers& centers, float size) cons
     Tangents y(centers.y[n], size * half_.y + grown, by_near, by_far);
     x.widen(bounded);
     y.widen(bounded);
-    const Image u = project_bent(u_, x);
-    const Image v = project_bent(v_, y);
-    put(out.pixels, n, u, v);
+    const Image u = project(u_, x);
+    const Image v = project(v_, y);
+    put(out.pixels, n, u.first, u.last, v.first, v.last);
     out.far[n] = whole(clamp(farthest * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
     out.inside[n] = ahead & (reach < kMostReach) & u.within & v.within;
   }
   return out;
 }
 
+/// A footprint begins half a voxel and more before its voxel's centre, and ends as far behind it. So each one meets
+/// what lies between the first end and the last beginning. No centre is nearer to the sensor than the box around all
+/// centres. A voxel's farthest corner is at least half a voxel further away than its centre.
 Cores Projector::cores(const Centers& centers, float size) const noexcept {
-  if (reach_ > 0.0f) return cores_around(centers, size);
   Cores out;
   const float between = size - 1.0f;
-  for (int n = 0; n < 2; ++n) {
-    const Four near = centers.z[n] - between * half_.z;
-    const Four far = centers.z[n] + between * half_.z;
-    const Four by_near = inverse(near);
-    const Four by_far = inverse(far);
-    const Image u = project(u_, {centers.x[n], all(between * half_.x), by_near, by_far});
-    const Image v = project(v_, {centers.y[n], all(between * half_.y), by_near, by_far});
-    const Four deepest = near + half_.z;
-    const Four units = (deepest + (growth_ + growth_ahead_ * deepest)) * units_;
-    put(out, n, u, v, {near, far, units});
-  }
-  return out;
-}
-
-/// No centre is nearer to the sensor than the box around all centres. A voxel's farthest corner is at least half a
-/// voxel further away than its centre.
-Cores Projector::cores_around(const Centers& centers, float size) const noexcept {
-  Cores out;
-  const float between = size - 1.0f;
+  const bool around = reach_ > 0.0f;
   const auto least_off = [](Four center, Four half) { return larger(absolute(center) - half, all(0.0f)); };
   for (int n = 0; n < 2; ++n) {
-    const Four half_x = all(between * half_.x);
-    const Four half_y = all(between * half_.y);
-    const Four half_z = all(between * half_.z);
-    const Four near = centers.z[n] - half_z;
-    const Four far = centers.z[n] + half_z;
+    const Four half[3] = {all(between * half_.x), all(between * half_.y), all(between * half_.z)};
+    const Four near = centers.z[n] - half[2];
+    const Four far = centers.z[n] + half[2];
     const Four by_near = inverse(near);
     const Four by_far = inverse(far);
-    const Image u = project_bent(u_, {centers.x[n], half_x, by_near, by_far});
-    const Image v = project_bent(v_, {centers.y[n], half_y, by_near, by_far});
-    const Four corner =
-        distance(least_off(centers.x[n], half_x), least_off(centers.y[n], half_y), least_off(centers.z[n], half_z)) +
-        half_.z;
-    const Four units = (corner + (growth_ + growth_ahead_ * corner)) * units_;
-    put(out, n, u, v, {near, far, units});
+    const Four nearest = around ? distance(least_off(centers.x[n], half[0]), least_off(centers.y[n], half[1]),
+                                           least_off(centers.z[n], half[2]))
+                                : near;
+    const Four corner = nearest + half_.z;
+    const Four grown = growth_ + growth_ahead_ * corner;
+    const Four last = far - half_.z - grown;
+    Tangents x(centers.x[n], half[0] - half_.x - grown, by_near, by_far);
+    Tangents y(centers.y[n], half[1] - half_.y - grown, by_near, by_far);
+    const Four reach = reach_ * corner * inverse(last);
+    if (around) {
+      x.close(smaller(reach, all(kMostReach)));
+      y.close(smaller(reach, all(kMostReach)));
+    }
+    const Meeting u = meet(u_, x);
+    const Meeting v = meet(v_, y);
+    const Four units = (corner + grown) * units_;
+    out.far[n] = whole(clamp(units, 0.0f, kMostUnits));
+    out.ahead[n] = near > kNearest;
+    out.beside[n] = (last <= kNearest) | (reach >= kMostReach) | (units >= kMostUnits) |
+                    aside(u_, centers.x[n], half[0], far) | aside(v_, centers.y[n], half[1], far) |
+                    (out.ahead[n] & (u.beside | v.beside));
+    put(out, n, u, v);
   }
   return out;
 }

@@ -39,10 +39,11 @@ struct Footprints {
   FourInts inside[2];  ///< not 0 if all of it is in front of the camera and in the image
 };
 
-/// The pixels and depths of the centres of all voxels in each of eight cubes. A voxel is seen whole only if the pixel
-/// of its centre shows a depth behind it.
+/// What the footprints of all voxels in each of eight cubes have in common. A voxel is seen whole only if each pixel of
+/// its footprint shows a depth behind it.
 struct Cores {
-  PixelBoxes pixels;   ///< pixels that show a centre; valid if the cube is ahead
+  PixelBoxes pixels;   ///< each footprint meets this rectangle; valid if the cube is ahead
+  FourInts common[2];  ///< not 0 if each footprint covers all of the rectangle
   FourInts far[2];     ///< the least of the voxels' largest depths, in units, rounded down
   FourInts beside[2];  ///< not 0 if no voxel is seen whole: all are behind the camera, outside the image, or beyond the
                        ///< range
@@ -56,6 +57,8 @@ class Projector {
   /// `extent` is an upper bound of all coordinates, in metres: the size of the window plus its distance.
   Projector(const View& view, double extent) noexcept;
 
+  /// True if no voxel of a box with this centre, `size` voxels large, is in the image.
+  bool misses(const Point& center, const Point& size) const noexcept;
   /// Projects eight cubes of `size` voxels with these centres. cores() projects the centres of their voxels.
   Footprints footprints(const Centers& centers, float size) const noexcept;
   Cores cores(const Centers& centers, float size) const noexcept;
@@ -68,22 +71,22 @@ class Projector {
   struct Axis {
     float focal, from, to;  ///< `from`, `to`: the principal point + 1/2, minus and plus rounding
     float count, last;      ///< `last` lies in the last pixel
+    float least, most;      ///< tangents of the image's edges, and a little more
   };
   struct Tangents;
   struct Image {
-    FourInts first, last, beside, within;
+    FourInts first, last, within;
   };
-  /// For four boxes of centres: the least and the greatest depth, and the depth, in units, up to which a voxel reaches.
-  struct Span {
-    Four near, far, units;
+  struct Meeting {
+    FourInts first, last, common, beside;
   };
-  static void put(PixelBoxes& out, int n, const Image& u, const Image& v) noexcept;
-  static void put(Cores& out, int n, const Image& u, const Image& v, const Span& span) noexcept;
-  static Image image_of(const Axis& axis, Four from, Four to) noexcept;
-  static Image project(const Axis& axis, const Tangents& tangents) noexcept;
-  static Image project_bent(const Axis& axis, const Tangents& tangents) noexcept;
+  static void put(PixelBoxes& out, int n, FourInts u0, FourInts u1, FourInts v0, FourInts v1) noexcept;
+  static void put(Cores& out, int n, const Meeting& u, const Meeting& v) noexcept;
+  Four place_of(const Axis& axis, Four tangent) const noexcept;
+  Image project(const Axis& axis, const Tangents& tangents) const noexcept;
+  Meeting meet(const Axis& axis, const Tangents& tangents) const noexcept;
+  static FourInts aside(const Axis& axis, Four center, Four half, Four far) noexcept;
   Footprints footprints_around(const Centers& centers, float size) const noexcept;
-  Cores cores_around(const Centers& centers, float size) const noexcept;
 
   Point steps_[3];
   Point half_;  ///< half the extent of a voxel along the camera's axes

@@ -61,7 +61,7 @@ void set_livox(FlightSettings& s) {
   s.mount.kind = "body";
   s.mount.pitch = -0.35;
   s.beams = 20000;
-  s.scan_pixel = 0.06;
+  s.scan_pixel = 0.045;
   s.fov_horizontal = kAllAround;
   s.fov_vertical = 59.0 * kDegree;
   s.sensor_hz = 10.0;
