@@ -46,7 +46,7 @@ struct ToldFlight {
     detector = std::make_unique<Detector>(world, motions);
   }
   void tick() {
-    detector->take(room.time, vehicle);
+    detector->take(room.time, vehicle.position(), vehicle.estimate());
     detector->deliver(room.time, room.flight, tape);
     room.tick();
   }
@@ -102,6 +102,23 @@ TEST(ThingDetector, TubesHoldTheTruth) {
     }
   }
   EXPECT_GT(farthest, 0.1);
+}
+
+// The things began to move half a second after the flight's clock.
+TEST(ThingDetector, MeasuresOnTheFlightsClock) {
+  ToldFlight told({"walker ball 0.3 walk 1.3 3 0 loop 3 3 1 0 8 3 1 2 8 -3 1 0"}, {"detection_latency=0"});
+  constexpr std::int64_t kBegin = 500000000;
+  told.detector = std::make_unique<Detector>(told.world, told.motions, kBegin, 70);
+  while (told.room.time < kBegin) told.room.tick();
+  for (int k = 0; k <= 100; ++k) {
+    told.tick();
+    const tern::Track* const track = told.detector->known(0);
+    ASSERT_NE(track, nullptr);
+    EXPECT_EQ(track->id, 70u);
+    const tern::Vec3 place = told.motions[0].at(1e-9 * static_cast<double>(told.room.time - kBegin)).position;
+    EXPECT_TRUE(tern_host::is_in_tube(*track, told.world.things[0], place, told.room.time)) << k;
+  }
+  EXPECT_EQ(told.detector->counts().measured, 11u);
 }
 
 TEST(ThingDetector, TubesAreComputedByHand) {

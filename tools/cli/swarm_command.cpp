@@ -15,6 +15,7 @@
 #include "host/atomic_file.hpp"
 #include "host/page/page.hpp"
 #include "host/swarm/swarm.hpp"
+#include "host/swarm/swarm_intruders.hpp"
 #include "host/swarm/swarm_json.hpp"
 #include "host/swarm/swarm_processes.hpp"
 #include "host/swarm/swarm_run.hpp"
@@ -32,6 +33,7 @@ struct SwarmOptions {
   std::vector<double> partition;
   double time_limit = 0.0;
   tern_host::SwarmSettings settings;
+  tern_host::IntruderSettings intruders;
 };
 
 /// The same family with the seed of a later run.
@@ -46,6 +48,14 @@ void show_progress(const std::string& name, double time, int arrived, std::size_
   if (isatty(STDERR_FILENO) == 0 || (time > shown && time < shown + 0.5)) return;
   shown = time;
   std::fprintf(stderr, "\r%s: %.1f s, %d of %zu arrived\033[K", name.c_str(), time, arrived, count);
+}
+
+void print_contact(const char* what, const tern_host::SwarmContact& contact) {
+  const std::string with = contact.intruder >= 0 ? "intruder " + std::to_string(contact.intruder)
+                           : contact.second < 0  ? "an obstacle"
+                                                 : "vehicle " + std::to_string(contact.second);
+  std::printf("  %s at %.3f s: vehicle %d and %s, %.3f m\n", what, 1e-9 * static_cast<double>(contact.time),
+              contact.first, with.c_str(), contact.distance);
 }
 
 void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& result) {
@@ -74,20 +84,32 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
     if (member.arrived < 0.0) std::printf("  vehicle %zu: %s\n", k, member.state.c_str());
     if (member.unasked > 0) std::printf("  vehicle %zu braked %u times without asking\n", k, member.unasked);
   }
-  for (const tern_host::SwarmContact& contact : result.contacts) {
-    const std::string with = contact.second < 0 ? "an obstacle" : "vehicle " + std::to_string(contact.second);
-    std::printf("  contact at %.3f s: vehicle %d and %s, %.3f m\n", 1e-9 * static_cast<double>(contact.time),
-                contact.first, with.c_str(), contact.distance);
+  if (!world.intruders.empty()) {
+    std::printf("  %zu intruders, no nearer than %.3f m to a vehicle in motion; touched at rest: %zu\n",
+                world.intruders.size(), result.least_gap, result.touched_at_rest.size());
   }
+  for (const tern_host::SwarmContact& contact : result.touched_at_rest) print_contact("touched at rest", contact);
+  for (const tern_host::SwarmContact& contact : result.contacts) print_contact("contact", contact);
 }
 
 /// What the ranges of single options do not say: they let through what is no number, too.
 void check_options(const SwarmOptions& options) {
   const tern_host::SwarmSettings& s = options.settings;
-  const double numbers[] = {s.links.loss,     s.links.burst,       s.links.delay_min, s.links.delay_max,
-                            s.links.repeated, s.links.silent_from, s.clock_error,     s.restarts,
-                            s.send_hz,        s.clearance,         s.discover,        s.late,
-                            s.range};
+  const double numbers[] = {s.links.loss,
+                            s.links.burst,
+                            s.links.delay_min,
+                            s.links.delay_max,
+                            s.links.repeated,
+                            s.links.silent_from,
+                            s.clock_error,
+                            s.restarts,
+                            s.send_hz,
+                            s.clearance,
+                            s.discover,
+                            s.late,
+                            s.range,
+                            options.intruders.speed,
+                            options.intruders.acceleration};
   for (const double number : numbers) {
     if (!std::isfinite(number)) throw std::runtime_error("all numbers must be finite");
   }
@@ -138,6 +160,7 @@ int fly(SwarmOptions& options) {
     check_vehicles(options.settings.links, world.tasks.size());
     tern_host::SwarmSettings settings = options.settings;
     settings.seed += static_cast<std::uint64_t>(run);
+    tern_host::add_intruders(world, options.intruders, settings.seed);
     tern_host::SwarmRecord record;
     const auto progress = [&](double time, int arrived) {
       show_progress(world.name, time, arrived, world.tasks.size());
@@ -163,7 +186,7 @@ int fly(SwarmOptions& options) {
 
 void add_link_options(CLI::App* command, SwarmOptions& options) {
   tern_host::SwarmSettings& s = options.settings;
-  command->add_option("--seed", s.seed, "Of links and clocks")->capture_default_str();
+  command->add_option("--seed", s.seed, "Of links, clocks and intruders")->capture_default_str();
   command->add_option("--loss", s.links.loss, "Part of the packets that is lost")->check(CLI::Range(0.0, 1.0));
   command->add_option("--burst", s.links.burst, "Packets in a row that are lost, on average")
       ->check(CLI::Range(1.0, 1000.0));
@@ -179,6 +202,16 @@ void add_link_options(CLI::App* command, SwarmOptions& options) {
   command->add_option("--silent-from", s.links.silent_from, "From then on, s");
 }
 
+void add_intruder_options(CLI::App* command, tern_host::IntruderSettings& intruders) {
+  command->add_option("--intruders", intruders.count, "Aircraft that are no members and cross the area")
+      ->check(CLI::Range(0, tern_host::kMostIntruders));
+  command->add_option("--intruder-speed", intruders.speed, "Of the fastest one, m/s (default: half of the vehicles')")
+      ->check(CLI::Range(0.0, 100.0));
+  command->add_option("--intruder-acceleration", intruders.acceleration, "With which they turn, m/s^2")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_swarm_command(CLI::App& app, int& exit_status) {
@@ -191,6 +224,7 @@ void add_swarm_command(CLI::App& app, int& exit_status) {
   command->add_option("--runs", options->runs, "Fly so many worlds, with seeds from that one on")
       ->check(CLI::Range(1, 100000));
   add_link_options(command, *options);
+  add_intruder_options(command, options->intruders);
   command->add_option("--clock-error", s.clock_error, "By how much two clocks differ at most, s")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--time-limit", options->time_limit, "s of flight at most (default: of the scene)")

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "host/flight/vectors.hpp"
+#include "host/swarm/swarm_intruders.hpp"
 
 namespace tern_host {
 namespace {
@@ -42,7 +43,9 @@ class Swarm {
         watch_(
             count(), world.body_radius, 1.7320508 * world.limits.v_max.x,
             [this](int k, std::int64_t t) { return vehicles_[static_cast<std::size_t>(k)]->at(t).position; },
-            [this](const tern::Vec3& p) { return swarm_clearance(world_, p); }) {
+            [this](const tern::Vec3& p) { return swarm_clearance(world_, p); }),
+        intruders_(motions_of(world.intruders)) {
+    watch_intruders(world, watch_);
     Noise clocks(settings.seed + 1);
     const double half = 0.5 * settings.clock_error;
     for (int k = 0; k < count(); ++k) {
@@ -55,6 +58,7 @@ class Swarm {
     did_.resize(vehicles_.size());
     if (record == nullptr) return;
     record->world = world.name;
+    record->intruders = world.intruders;
     record->settings = settings;
     recording_ = std::make_unique<RecordingCarrier>(links_, *record);
   }
@@ -132,11 +136,15 @@ class Swarm {
       const tern::Vec3 a = vehicles_[k]->at(now_).position;
       const tern::Vec3 b = vehicles_[k]->at(now_ + step).position;
       result_.members[k].length += distance_between(a, b);
-      for (const double value : {a.x, a.y, a.z}) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &value, sizeof bits);
-        result_.hash = (result_.hash ^ bits) * 0x100000001B3u;
-      }
+      hash(a);
+    }
+    for (const tern::Vec3& place : places_of(intruders_, now_)) hash(place);
+  }
+  void hash(const tern::Vec3& place) {
+    for (const double value : {place.x, place.y, place.z}) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &value, sizeof bits);
+      result_.hash = (result_.hash ^ bits) * 0x100000001B3u;
     }
   }
 
@@ -144,13 +152,12 @@ class Swarm {
     std::vector<tern::Sample> row;
     for (const auto& vehicle : vehicles_) row.push_back(vehicle->at(now_));
     result_.film.push_back(row);
+    result_.intruder_film.push_back(places_of(intruders_, now_));
   }
 
   void finish() {
     result_.time = 1e-9 * static_cast<double>(now_);
-    result_.contacts = watch_.contacts();
-    result_.least_distance = watch_.least_distance();
-    result_.least_clearance = watch_.least_clearance();
+    take_findings(watch_, result_);
     result_.packets = links_.sent();
     result_.lost = links_.lost();
     result_.bytes = links_.bytes();
@@ -177,6 +184,7 @@ class Swarm {
   Links links_;
   std::unique_ptr<RecordingCarrier> recording_;
   SwarmWatch watch_;
+  std::vector<ThingMotion> intruders_;
   std::vector<std::unique_ptr<SwarmVehicle>> vehicles_;
   std::vector<Mailbox> boxes_;  ///< of each vehicle
   std::vector<SwarmTick> did_;  ///< by each vehicle, in this tick
@@ -201,6 +209,14 @@ double SwarmResult::mean_travel() const {
   double sum = 0.0;
   for (const SwarmMember& member : members) sum += std::max(0.0, member.arrived);
   return arrived() > 0 ? sum / arrived() : 0.0;
+}
+
+void take_findings(const SwarmWatch& watch, SwarmResult& result) {
+  result.contacts = watch.contacts();
+  result.touched_at_rest = watch.touched_at_rest();
+  result.least_distance = watch.least_distance();
+  result.least_clearance = watch.least_clearance();
+  result.least_gap = watch.least_gap();
 }
 
 SwarmResult fly_swarm(const SwarmWorld& world, const SwarmSettings& settings,

@@ -29,7 +29,9 @@ struct SwarmMember {
 struct SwarmResult {
   std::vector<SwarmMember> members;
   std::vector<SwarmContact> contacts;
+  std::vector<SwarmContact> touched_at_rest;           ///< by intruders
   double least_distance = 0.0, least_clearance = 0.0;  ///< m
+  double least_gap = 0.0;                              ///< m, between a vehicle in motion and an intruder
   double time = 0.0;                                   ///< s that were simulated
   double computed = 0.0;                               ///< s of processor time
   std::uint64_t packets = 0, lost = 0, bytes = 0;
@@ -42,12 +44,16 @@ struct SwarmResult {
   std::uint64_t hash = 0;              ///< of all positions at all ticks
   /// All members, one row each `film_step` seconds. Of vehicles in processes, places alone.
   std::vector<std::vector<tern::Sample>> film;
+  std::vector<std::vector<tern::Vec3>> intruder_film;  ///< likewise, all intruders
   double film_step = 0.1;
 
   int arrived() const;
   double last_arrival() const;  ///< s; of those that arrived
   double mean_travel() const;   ///< s
 };
+
+/// Puts what a watch found into a result.
+void take_findings(const SwarmWatch& watch, SwarmResult& result);
 
 /// Flies until all have arrived, or the time limit. `progress` hears of the time, s, and how many arrived; may be null.
 /// `record`: is written if it is not null.

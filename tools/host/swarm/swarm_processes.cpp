@@ -48,6 +48,7 @@ class Processes {
   Processes(const SwarmWorld& world, const SwarmSettings& settings, SwarmRecord& record)
       : world_(world), settings_(settings), record_(record), children_(world.tasks.size()) {
     record.world = world.name;
+    record.intruders = world.intruders;
     record.settings = settings;
     result_.members.resize(children_.size());
   }
@@ -171,18 +172,19 @@ class Processes {
         static_cast<int>(children_.size()), world_.body_radius, 1.7320508 * world_.limits.v_max.x,
         [this](int k, std::int64_t t) { return children_[static_cast<std::size_t>(k)].at(t); },
         [this](const tern::Vec3& p) { return swarm_clearance(world_, p); });
+    watch_intruders(world_, watch);
     const auto end = static_cast<std::int64_t>(1e9 * result_.time);
     for (std::int64_t t = 0; t < end; t += 10 * kSampleStep) watch.look(t, t + 10 * kSampleStep);
-    result_.contacts = watch.contacts();
-    result_.least_distance = watch.least_distance();
-    result_.least_clearance = watch.least_clearance();
+    take_findings(watch, result_);
     for (std::size_t k = 0; k < children_.size(); ++k) {
       const Child& child = children_[k];
       for (std::int64_t t = 1; t < end / kSampleStep; ++t) {
         result_.members[k].length += distance_between(child.at((t - 1) * kSampleStep), child.at(t * kSampleStep));
       }
     }
+    const std::vector<ThingMotion> intruders = motions_of(world_.intruders);
     for (std::int64_t t = 0; t < end; t += static_cast<std::int64_t>(1e9 * result_.film_step)) {
+      result_.intruder_film.push_back(places_of(intruders, t));
       result_.film.emplace_back();
       for (const Child& child : children_) {
         result_.film.back().emplace_back();

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "host/swarm/swarm_intruders.hpp"
+#include "host/things/thing_record.hpp"
 #include "tern/self_test.hpp"
 
 namespace tern_host {
@@ -102,12 +104,13 @@ std::string write_swarm_record(const SwarmRecord& record) {
       ticks.push_back(nlohmann::json::array({tick.now, tick.hash, tick.heard}));
     vehicles.push_back({{"clock_offset", vehicle.clock_offset}, {"ticks", ticks}});
   }
-  const nlohmann::json all{{"configuration", tern::kConfigurationHash},
-                           {"format", kFormat},
-                           {"packets", packets},
-                           {"settings", settings},
-                           {"vehicles", vehicles},
-                           {"world", record.world}};
+  nlohmann::json all{{"configuration", tern::kConfigurationHash},
+                     {"format", kFormat},
+                     {"packets", packets},
+                     {"settings", settings},
+                     {"vehicles", vehicles},
+                     {"world", record.world}};
+  if (!record.intruders.empty()) all["intruders"] = lines_of(record.intruders);
   const std::vector<std::uint8_t> bytes = nlohmann::json::to_cbor(all);
   return {bytes.begin(), bytes.end()};
 }
@@ -127,6 +130,9 @@ SwarmRecord read_swarm_record(const std::string& bytes) {
       throw std::runtime_error("it is of a library with other capacities");
     }
     record.world = all.at("world");
+    for (const std::string line : all.value("intruders", nlohmann::json::array())) {
+      record.intruders.push_back(read_thing(split_words(line, false), {"intruders"}));
+    }
     visit_settings(record.settings, [&](const char* name, auto& value) { all.at("settings").at(name).get_to(value); });
     for (const nlohmann::json& packet : all.at("packets")) record.packets.emplace_back(packet.get_binary());
     for (const nlohmann::json& one : all.at("vehicles")) {
@@ -142,7 +148,8 @@ SwarmRecord read_swarm_record(const std::string& bytes) {
 }
 
 std::string replay_swarm(const SwarmRecord& record) {
-  const SwarmWorld world = swarm_world(record.world);
+  SwarmWorld world = swarm_world(record.world);
+  world.intruders = record.intruders;
   if (record.vehicles.size() != world.tasks.size()) throw std::runtime_error("it has another number of vehicles");
   ReplayedCarrier carrier(record);
   for (std::size_t k = 0; k < record.vehicles.size(); ++k) {

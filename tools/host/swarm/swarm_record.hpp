@@ -27,6 +27,7 @@ struct SwarmRecord {
     std::vector<Tick> ticks;
   };
   std::string world;
+  std::vector<Thing> intruders;
   SwarmSettings settings;
   std::vector<Packet> packets;
   std::vector<Vehicle> vehicles;

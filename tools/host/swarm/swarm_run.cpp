@@ -20,6 +20,10 @@ RunJson facts_of(const SwarmWorld& world, const SwarmSettings& settings, const S
   add("travel", fixed(result.mean_travel(), 2) + " s in the mean");
   add("least distance",
       fixed(result.least_distance, 3) + " m; bodies touch at " + fixed(2.0 * world.body_radius, 2) + " m");
+  if (!world.intruders.empty()) {
+    add("intruders", std::to_string(world.intruders.size()) + "; touched " +
+                         std::to_string(result.touched_at_rest.size()) + " times a vehicle at rest");
+  }
   add("links", fixed(100.0 * settings.links.loss, 0) + " % lost, delay up to " + fixed(settings.links.delay_max, 2) +
                    " s; " + std::to_string(result.lost) + " of " + std::to_string(result.packets) + " packets lost");
   return facts;
@@ -36,18 +40,28 @@ RunJson motion_of(const SwarmWorld& world, const SwarmResult& result) {
   return motion.json(result.film_step);
 }
 
+/// What moves, from a film with a row for each step; `place` gives it in a row.
+template <typename Film, typename Place>
+RunJson ball_json(const std::string& name, double radius, const Film& film, double step, Place place) {
+  RunJson rows = RunJson::array();
+  for (const auto& row : film) {
+    RunJson shown = RunJson::array();
+    append_point(shown, place(row));
+    shown.push_back(0);
+    rows.push_back(shown);
+  }
+  return thing_json({name, false, tern::TrackShape::kBall, radius, tern::Vec3{}, step, rows});
+}
+
 RunJson others_of(const SwarmWorld& world, const SwarmResult& result) {
   RunJson list = RunJson::array();
   for (std::size_t k = 1; k < result.members.size(); ++k) {
-    RunJson rows = RunJson::array();
-    for (const std::vector<tern::Sample>& row : result.film) {
-      RunJson place = RunJson::array();
-      append_point(place, row[k].position);
-      place.push_back(0);
-      rows.push_back(place);
-    }
-    list.push_back(thing_json({"vehicle " + std::to_string(k), false, tern::TrackShape::kBall, world.body_radius,
-                               tern::Vec3{}, result.film_step, rows}));
+    list.push_back(ball_json("vehicle " + std::to_string(k), world.body_radius, result.film, result.film_step,
+                             [k](const auto& row) { return row[k].position; }));
+  }
+  for (std::size_t k = 0; k < world.intruders.size(); ++k) {
+    list.push_back(ball_json(world.intruders[k].name, world.intruders[k].radius, result.intruder_film, result.film_step,
+                             [k](const auto& row) { return row[k]; }));
   }
   return list;
 }

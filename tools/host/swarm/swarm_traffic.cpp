@@ -85,7 +85,7 @@ std::map<std::uint32_t, SwarmTraffic::Told> SwarmTraffic::choose(const tern::Vec
     const Other& other = others_[static_cast<std::size_t>(k / 2)];
     const Plan& plan = other.plans[k % 2];
     pieces += plan.pieces;
-    if (chosen.size() == tern::kMaxFlightTracks || pieces > tern::kMaxTrackPieces) break;
+    if (chosen.size() == room_ || pieces > tern::kMaxTrackPieces) break;
     const std::uint64_t number = (std::uint64_t{other.neighbour.incarnation} << 32) + plan.number + 1;
     chosen[2u * other.neighbour.id + (k % 2 != 0 ? 1u : 0u)] = {k / 2, k % 2, number};
   }

@@ -17,10 +17,11 @@ namespace tern_host {
 
 class SwarmTraffic {
  public:
-  /// `begin`: of the flight, ns; `tick`: FlightSpec::tick.
-  void start(std::int64_t begin, std::int64_t tick) {
+  /// `begin`: of the flight, ns; `tick`: FlightSpec::tick; `room`: for so many plans at most.
+  void start(std::int64_t begin, std::int64_t tick, std::size_t room) {
     last_tick_ = begin;
     tick_ = tick;
+    room_ = room;
   }
   /// Before a tick of the flight at `time`, tells it of plans that are new, and of what is gone. Returns how many plans
   /// the flight has no room for: if not all fit, it gets those nearest to `place`.
@@ -55,6 +56,7 @@ class SwarmTraffic {
   tern::Track tracks_[2];
   std::vector<tern::TrackPiece> pieces_ = std::vector<tern::TrackPiece>(64);
   std::int64_t last_tick_ = 0, tick_ = 0;
+  std::size_t room_ = 0;
   std::map<std::uint32_t, std::uint64_t> known_;  ///< plans that the flight has, by the track's id
 };
 

@@ -70,7 +70,9 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
   const Status begun =
       flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), task.start, offset_);
   if (begun != Status::kOk) fail(world, number, "the flight cannot begin", begun);
-  traffic_.start(offset_, spec_.tick);
+  traffic_.start(offset_, spec_.tick, static_cast<std::size_t>(tern::kMaxFlightTracks) - world.intruders.size());
+  const std::uint64_t noise = settings.seed + static_cast<std::uint64_t>(number);
+  if (!world.intruders.empty()) intruders_ = std::make_unique<IntruderReports>(world, noise, offset_, spec_.tick);
   begin_fleet(offset_);
 }
 
@@ -255,14 +257,16 @@ SwarmTick SwarmVehicle::tick(std::int64_t now, Carrier& carrier) {
   }
   advance_fleet(time, did);
   did.members = fleet_->neighbours();
-  did.untold = traffic_.tell(*fleet_, flight_, flight_.command(time).sample.position, time);
+  const tern::Vec3 place = flight_.command(time).sample.position;
+  did.untold = traffic_.tell(*fleet_, flight_, place, time);
+  if (intruders_) intruders_->tell(time, place, flight_);
   hear_answer(time);
   const SwarmTask& task = world_.tasks[static_cast<std::size_t>(number_)];
   if (!has_mission_ && 1e-9 * static_cast<double>(now) >= task.depart) {
     has_mission_ = true;
     flight_.set_mission(task.mission.data(), static_cast<std::int32_t>(task.mission.size()), tern::ViaPolicy::kEnd);
   }
-  if (sensor_) sensor_->look(flight_.command(time).sample.position, time, map_);
+  if (sensor_) sensor_->look(place, time, map_);
   advance_flight(time, did);
   did.agrees = agrees(time);
   announce(time);

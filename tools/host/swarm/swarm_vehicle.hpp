@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/swarm/links.hpp"
+#include "host/swarm/swarm_intruders.hpp"
 #include "host/swarm/swarm_sensor.hpp"
 #include "host/swarm/swarm_traffic.hpp"
 #include "host/swarm/swarm_world.hpp"
@@ -103,7 +104,8 @@ class SwarmVehicle {
   bool begins_anew_ = false;     ///< the flight committed what the fleet did not agree to
   std::int64_t next_round_ = 0;
   SwarmTraffic traffic_;
-  std::unique_ptr<SwarmSensor> sensor_;  ///< null: the world is known
+  std::unique_ptr<SwarmSensor> sensor_;         ///< null: the world is known
+  std::unique_ptr<IntruderReports> intruders_;  ///< null: there are none
 };
 
 }  // namespace tern_host

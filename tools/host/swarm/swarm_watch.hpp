@@ -16,11 +16,19 @@
 
 namespace tern_host {
 
-/// Two bodies that touched, or, with `second` -1, a body and an obstacle.
+/// Two bodies that touched, or, with `second` -1, a body and an obstacle or an intruder.
 struct SwarmContact {
   std::int64_t time;  ///< ns
   int first, second;
   double distance;  ///< m, between centres, or from the obstacle
+  int intruder = -1;
+};
+
+/// A ball that is no vehicle.
+struct WatchedIntruder {
+  double radius;     ///< m
+  double top_speed;  ///< m/s
+  std::function<tern::Vec3(std::int64_t t)> position;
 };
 
 class SwarmWatch {
@@ -31,16 +39,23 @@ class SwarmWatch {
   /// `top_speed`: of each body, m/s. `clearance`: from what stands still, m; null for none.
   SwarmWatch(int vehicles, double body_radius, double top_speed, Position position, Clearance clearance);
 
+  void add_intruder(WatchedIntruder intruder) { intruders_.push_back(std::move(intruder)); }
   /// Looks at all bodies from one instant to another.
   void look(std::int64_t from, std::int64_t until);
 
   const std::vector<SwarmContact>& contacts() const { return contacts_; }
+  /// Intruders that touched a vehicle at rest. They are contacts, too, if it moved before they were clear again.
+  const std::vector<SwarmContact>& touched_at_rest() const { return touched_at_rest_; }
+  /// Between a vehicle in motion and an intruder: of surfaces, m, at instants that were looked at.
+  double least_gap() const { return least_gap_; }
   double least_distance() const { return least_distance_; }    ///< between two centres, m
   double least_clearance() const { return least_clearance_; }  ///< from what stands still, m
 
  private:
   void look_at_pair(int i, int j, std::int64_t from, std::int64_t until);
   void look_at_body(int i, std::int64_t from, std::int64_t until);
+  void look_at_intruder(int i, int k, std::int64_t from, std::int64_t until);
+  bool moves(int i, std::int64_t t, std::int64_t from, std::int64_t until) const;
   void note(std::int64_t time, int i, int j, double distance, bool touches);
 
   int vehicles_;
@@ -49,8 +64,11 @@ class SwarmWatch {
   Clearance clearance_;
   std::vector<SwarmContact> contacts_;
   std::set<std::pair<int, int>> touching_;
-  std::vector<tern::Vec3> middle_;  ///< places of all in the middle of what is looked at
-  double least_distance_ = 1e9, least_clearance_ = 1e9;
+  std::vector<WatchedIntruder> intruders_;
+  std::vector<SwarmContact> touched_at_rest_;
+  std::set<std::pair<int, int>> resting_, moving_;  ///< vehicles and intruders that touch, and how the vehicle does
+  std::vector<tern::Vec3> middle_;                  ///< places of all in the middle of what is looked at
+  double least_distance_ = 1e9, least_clearance_ = 1e9, least_gap_ = 1e9;
 };
 
 }  // namespace tern_host

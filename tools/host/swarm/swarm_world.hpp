@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/things/thing.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/vec3.hpp"
@@ -30,6 +31,7 @@ struct SwarmWorld {
   tern::Box boundary{};  ///< its faces are walls
   std::vector<tern::Box> blocks;
   std::vector<SwarmTask> tasks;
+  std::vector<Thing> intruders;  ///< that are no members; walks or trefoils
   tern::Limits limits{};
   double body_radius = 0.25;  ///< m
   double cell = 0.25;         ///< m, of the maps

@@ -32,14 +32,16 @@ Vec3 expected_place(const tern::Track& track, std::int64_t t) {
 
 }  // namespace
 
-Detector::Detector(const FlightWorld& world, const std::vector<ThingMotion>& things)
+Detector::Detector(const FlightWorld& world, const std::vector<ThingMotion>& things, std::int64_t begin,
+                   std::uint32_t first_id)
     : world_(world),
       things_(things),
+      begin_(begin),
       noise_(world.settings.seed ^ kDetectorStream),
       ids_(things.size()),
       clusters_(world.settings.cluster_class),
       watch_(world.things, things) {
-  std::iota(ids_.begin(), ids_.end(), 0u);
+  std::iota(ids_.begin(), ids_.end(), first_id);
 }
 
 bool Detector::sees(const Vec3& eye, const Vec3& place) const {
@@ -58,7 +60,7 @@ bool Detector::sees(const Vec3& eye, const Vec3& place) const {
 Detector::Measurement Detector::measure(std::size_t thing, std::int64_t t, const Vec3& pose_error) {
   const FlightSettings& s = world_.settings;
   const Thing& what = world_.things[thing];
-  const ThingState state = things_[thing].at(1e-9 * static_cast<double>(t));
+  const ThingState state = things_[thing].at(seconds(t));
   const ThingBounds& bounds = what.claimed.speed > 0.0 ? what.claimed : things_[thing].bounds();
   tern::Track track;
   track.id = ids_[thing];
@@ -90,15 +92,14 @@ void Detector::swap_identities(std::vector<Measurement>& seen) {
   }
 }
 
-void Detector::take(std::int64_t t, const Vehicle& vehicle) {
+void Detector::take(std::int64_t t, const Vec3& place, const Vec3& estimate) {
   const FlightSettings& s = world_.settings;
-  const double seconds = 1e-9 * static_cast<double>(t);
-  if (uses_clusters() || things_.empty() || static_cast<double>(taken_) > seconds * s.detection_hz) return;
+  if (uses_clusters() || things_.empty() || static_cast<double>(taken_) > seconds(t) * s.detection_hz) return;
   ++taken_;
-  const Vec3 pose_error = along(vehicle.estimate(), -1.0, vehicle.position());
-  Scan scan{t, vehicle.estimate(), {}};
+  const Vec3 pose_error = along(estimate, -1.0, place);
+  Scan scan{t, estimate, {}};
   for (std::size_t k = 0; k < things_.size(); ++k) {
-    if (!sees(vehicle.position(), things_[k].at(seconds).position)) continue;
+    if (!sees(place, things_[k].at(seconds(t)).position)) continue;
     const Measurement one = measure(k, t, pose_error);
     if (!noise_.chance(s.detection_misses)) scan.seen.push_back(one);
   }
@@ -109,8 +110,7 @@ void Detector::take(std::int64_t t, const Vehicle& vehicle) {
 template <typename Frame>
 void Detector::see(const Frame& frame, const Vec3& eye, const tern::RollingMap& map) {
   const FlightSettings& s = world_.settings;
-  const double seconds = 1e-9 * static_cast<double>(frame.taken);
-  if (!uses_clusters() || static_cast<double>(taken_) > seconds * s.detection_hz) return;
+  if (!uses_clusters() || static_cast<double>(taken_) > seconds(frame.taken) * s.detection_hz) return;
   ++taken_;
   const std::vector<tern::Track> tracks = clusters_.see(frame, map);
   watch_.note(frame, s.sensor_range, tracks);

@@ -17,7 +17,6 @@
 #include "host/things/cluster_detector.hpp"
 #include "host/things/thing_motion.hpp"
 #include "host/things/tracking_watch.hpp"
-#include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 
 namespace tern_host {
@@ -30,11 +29,13 @@ struct DetectorCounts {
 
 class Detector {
  public:
-  /// Both must outlive the detector. `things` are the motions of `world.things`.
-  Detector(const FlightWorld& world, const std::vector<ThingMotion>& things);
+  /// Both must outlive the detector. `things` are the motions of `world.things`; their time 0 is `begin` on the
+  /// flight's clock, ns. The first of them is track `first_id`.
+  Detector(const FlightWorld& world, const std::vector<ThingMotion>& things, std::int64_t begin = 0,
+           std::uint32_t first_id = 0);
 
-  /// To be called at every tick.
-  void take(std::int64_t t, const Vehicle& vehicle);
+  /// To be called at every tick: where the vehicle is, and where it believes to be.
+  void take(std::int64_t t, const tern::Vec3& place, const tern::Vec3& estimate);
   /// A frame or scan was taken from `eye`: if sensors are the detector, they measure what is due.
   template <typename Frame>
   void see(const Frame& frame, const tern::Vec3& eye, const tern::RollingMap& map);
@@ -66,6 +67,7 @@ class Detector {
   };
 
   bool sees(const tern::Vec3& eye, const tern::Vec3& place) const;
+  double seconds(std::int64_t t) const { return 1e-9 * static_cast<double>(t - begin_); }
   Measurement measure(std::size_t thing, std::int64_t t, const tern::Vec3& pose_error);
   void swap_identities(std::vector<Measurement>& seen);
   void tell(const Scan& scan, tern::Flight& flight, FlightTape& tape);
@@ -74,6 +76,7 @@ class Detector {
 
   const FlightWorld& world_;
   const std::vector<ThingMotion>& things_;
+  std::int64_t begin_;
   Noise noise_;
   std::vector<std::uint32_t> ids_;
   std::deque<Scan> waiting_;

@@ -36,7 +36,7 @@ ThingsInFlight::ThingsInFlight(const FlightWorld& world)
       places_(world.things.size()) {}
 
 void ThingsInFlight::sense(std::int64_t t, const Vehicle& vehicle) {
-  detector_.take(t, vehicle);
+  detector_.take(t, vehicle.position(), vehicle.estimate());
   const double seconds = 1e-9 * static_cast<double>(t);
   if (places_.empty() || static_cast<double>(places_[0].size()) * step_ > seconds) return;
   for (std::size_t k = 0; k < places_.size(); ++k) {

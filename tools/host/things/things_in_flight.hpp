@@ -12,6 +12,7 @@
 #include "host/flight/flight_contact.hpp"
 #include "host/things/detector.hpp"
 #include "host/things/thing_watch.hpp"
+#include "host/vehicle/vehicle.hpp"
 
 namespace tern_host {
 
