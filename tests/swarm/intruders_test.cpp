@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "host/flight/flight_world.hpp"
 #include "host/flight/vectors.hpp"
@@ -150,6 +152,38 @@ TEST(Intruders, TouchNoVehicleInMotion) {
   }
   EXPECT_GT(least, 0.0);
   EXPECT_LT(least, 3.0) << "they met";
+}
+
+/// Where a vehicle in motion and an intruder are nearer than their sizes in a film: who they are.
+std::set<std::pair<int, int>> contacts_in_film(const SwarmWorld& world, const SwarmResult& result) {
+  std::set<std::pair<int, int>> found;
+  for (std::size_t row = 0; row < result.film.size(); ++row) {
+    for (std::size_t i = 0; i < result.film[row].size(); ++i) {
+      const tern::Sample& vehicle = result.film[row][i];
+      for (std::size_t k = 0; k < world.intruders.size(); ++k) {
+        const double size = world.body_radius + world.intruders[k].radius;
+        const bool touches = distance_between(vehicle.position, result.intruder_film[row][k]) < size - 1e-3;
+        if (touches && length(vehicle.velocity) > 0.01) found.emplace(static_cast<int>(i), static_cast<int>(k));
+      }
+    }
+  }
+  return found;
+}
+
+// Vehicles are told a hundredth of what intruders may do: some are met, and the watch finds each that is seen in the
+// film.
+TEST(Intruders, ThoseThatBreakTheirBoundsAreFound) {
+  SwarmSettings settings;
+  settings.links.delay_max = 0.1;
+  SwarmWorld world = swarm_world("T3-10:1");
+  add_intruders(world, {5, 0.0, 2.0, 0.01}, 1);
+  const SwarmResult result = fly_swarm(world, settings);
+  const std::set<std::pair<int, int>> seen = contacts_in_film(world, result);
+  EXPECT_FALSE(seen.empty());
+  std::set<std::pair<int, int>> watched;
+  for (const SwarmContact& contact : result.contacts) watched.emplace(contact.first, contact.intruder);
+  EXPECT_TRUE(std::includes(watched.begin(), watched.end(), seen.begin(), seen.end()));
+  EXPECT_LT(result.least_gap, 0.0);
 }
 
 TEST(Intruders, AreFlownTheSameAgain) {

@@ -13,6 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
+#include "host/number.hpp"
 #include "host/page/page.hpp"
 #include "host/swarm/swarm.hpp"
 #include "host/swarm/swarm_intruders.hpp"
@@ -85,8 +86,11 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
     if (member.unasked > 0) std::printf("  vehicle %zu braked %u times without asking\n", k, member.unasked);
   }
   if (!world.intruders.empty()) {
-    std::printf("  %zu intruders, no nearer than %.3f m to a vehicle in motion; touched at rest: %zu\n",
-                world.intruders.size(), result.least_gap, result.touched_at_rest.size());
+    const bool met = result.least_gap < 1e9;  // a vehicle moved
+    const std::string gap =
+        met ? ", no nearer than " + tern_host::fixed(result.least_gap, 3) + " m to a vehicle in motion" : "";
+    std::printf("  %zu intruders%s; touched at rest: %zu\n", world.intruders.size(), gap.c_str(),
+                result.touched_at_rest.size());
   }
   for (const tern_host::SwarmContact& contact : result.touched_at_rest) print_contact("touched at rest", contact);
   for (const tern_host::SwarmContact& contact : result.contacts) print_contact("contact", contact);
@@ -95,21 +99,11 @@ void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& res
 /// What the ranges of single options do not say: they let through what is no number, too.
 void check_options(const SwarmOptions& options) {
   const tern_host::SwarmSettings& s = options.settings;
-  const double numbers[] = {s.links.loss,
-                            s.links.burst,
-                            s.links.delay_min,
-                            s.links.delay_max,
-                            s.links.repeated,
-                            s.links.silent_from,
-                            s.clock_error,
-                            s.restarts,
-                            s.send_hz,
-                            s.clearance,
-                            s.discover,
-                            s.late,
-                            s.range,
-                            options.intruders.speed,
-                            options.intruders.acceleration};
+  const tern_host::IntruderSettings& i = options.intruders;
+  const double numbers[] = {
+      s.links.loss,  s.links.burst, s.links.delay_min, s.links.delay_max, s.links.repeated, s.links.silent_from,
+      s.clock_error, s.restarts,    s.send_hz,         s.clearance,       s.discover,       s.late,
+      s.range,       i.speed,       i.acceleration,    i.bounds};
   for (const double number : numbers) {
     if (!std::isfinite(number)) throw std::runtime_error("all numbers must be finite");
   }
@@ -210,6 +204,10 @@ void add_intruder_options(CLI::App* command, tern_host::IntruderSettings& intrud
   command->add_option("--intruder-acceleration", intruders.acceleration, "With which they turn, m/s^2")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
+  command
+      ->add_option("--intruder-bounds", intruders.bounds,
+                   "What vehicles are told of speed and acceleration, as a part of what is true")
+      ->check(CLI::Range(0.01, 100.0));
 }
 
 }  // namespace

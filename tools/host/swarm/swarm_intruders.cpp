@@ -99,6 +99,7 @@ Thing any_intruder(const SwarmWorld& world, const Area& area, const IntruderSett
     const double part = random.within(0.0, 1.0);
     if (walk_fault(walk).empty()) walk.ahead = part * parts_of(walk).back().begin;
     thing.motion = walk;
+    if (settings.bounds != 1.0) thing.claimed = {settings.bounds * walk.speed, settings.bounds * walk.acceleration};
     if (is_possible(world, thing)) return thing;
   }
   throw std::runtime_error(world.name + ": no way is found for an intruder of up to " + fixed(settings.speed, 1) +

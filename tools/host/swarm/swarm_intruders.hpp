@@ -25,6 +25,7 @@ struct IntruderSettings {
   int count = 0;              ///< at most kMostIntruders
   double speed = 0.0;         ///< m/s, of the fastest one; 0: half of what the vehicles may do on an axis
   double acceleration = 2.0;  ///< m/s^2, > 0, with which they turn
+  double bounds = 1.0;        ///< what vehicles are told of a speed and acceleration, as a part of what is true; > 0
 };
 
 /// Puts intruders into a world. Each is a ball that flies level at the height of some vehicle's start, give or take
