@@ -134,7 +134,7 @@ TEST(Changes, ACapacityThatIsFullIsTold) {
 // A man who is seen from (0, 0): 0.5 m of his width, 0.2 m of his depth, and all but his feet.
 TEST(Detection, IsPlacedBehindWhatIsSeenOfIt) {
   const tern_tracker::Cluster cluster{{0.0, 4.0, 1.2}, {0.25, 0.1, 0.6}, 100};
-  const auto man = tern_tracker::detection_of(cluster, {0.0, 0.0, 5.0}, tern::TrackClass::kPerson, 0.05);
+  const auto man = tern_tracker::detection_of(cluster, {0.0, 0.0, 5.0}, tern::TrackClass::kPerson);
   EXPECT_EQ(man.kind, tern::TrackClass::kPerson);
   EXPECT_DOUBLE_EQ(man.position.x, 0.0);
   EXPECT_DOUBLE_EQ(man.position.y, 4.3);  // 0.4 m behind the nearest point, at 3.9
@@ -143,6 +143,11 @@ TEST(Detection, IsPlacedBehindWhatIsSeenOfIt) {
   EXPECT_DOUBLE_EQ(man.radius, 0.4);
   EXPECT_DOUBLE_EQ(man.half_height, 1.4);  // 2 m below the upper end, or above the lower one
   EXPECT_EQ(man.deviation, 0.05);
+  // Who stands on the ground is no taller than 2 m above it.
+  const auto standing = tern_tracker::detection_of(cluster, {0.0, 0.0, 5.0}, tern::TrackClass::kPerson, {0.1, 0.25});
+  EXPECT_DOUBLE_EQ(standing.position.z, 1.25);
+  EXPECT_DOUBLE_EQ(standing.half_height, 1.0);
+  EXPECT_EQ(standing.deviation, 0.1);
   // What is larger than its class is as large as it is.
   const auto wide =
       tern_tracker::detection_of({{3.0, 0.0, 1.2}, {0.6, 0.8, 1.5}, 9}, {0.0, 0.0, 0.0}, tern::TrackClass::kPerson);

@@ -27,9 +27,11 @@ std::vector<tern::Track> ClusterDetector::see(const LidarScan& scan, const tern:
 /// Full capacities leave out what is told last: the flight then knows that much less, as with any detector.
 std::vector<tern::Track> ClusterDetector::track(std::int64_t taken, const tern::Vec3& eye) {
   clusters_->join();
+  tern_tracker::DetectionSettings settings;
+  settings.ground = ground_;
   std::vector<tern_onboard::Sighting> detections;
   for (std::int32_t k = 0; k < clusters_->size(); ++k) {
-    detections.push_back(tern_tracker::detection_of((*clusters_)[k], eye, kind_));
+    detections.push_back(tern_tracker::detection_of((*clusters_)[k], eye, kind_, settings));
   }
   std::vector<tern::Track> tracks;
   for (const tern_onboard::Sighting& told : tracker_.scan(taken, detections)) {

@@ -21,8 +21,9 @@ namespace tern_host {
 
 class ClusterDetector {
  public:
-  /// All that moves is taken to be of this class.
-  explicit ClusterDetector(tern::TrackClass kind) : kind_(kind), clusters_(new tern_tracker::Clusters) {}
+  /// All that moves is taken to be of this class; people and vehicles stand on the ground, m.
+  ClusterDetector(tern::TrackClass kind, double ground)
+      : kind_(kind), ground_(ground), clusters_(new tern_tracker::Clusters) {}
 
   /// The tracks that were seen in a frame or scan, which has entered the map, or is about to.
   std::vector<tern::Track> see(const DepthFrame& frame, const tern::RollingMap& map);
@@ -32,6 +33,7 @@ class ClusterDetector {
   std::vector<tern::Track> track(std::int64_t taken, const tern::Vec3& eye);
 
   tern::TrackClass kind_;
+  double ground_;
   std::unique_ptr<tern_tracker::Clusters> clusters_;
   tern_tracker::Tracker tracker_;
   std::map<std::string, tern::Track> last_;  ///< of each track

@@ -15,7 +15,7 @@ namespace {
 
 using tern::Vec3;
 
-constexpr std::int64_t kTellsOfHitsFor = 2000000000;    // ns: longer than a frame waits
+constexpr std::int64_t kToldFor = 2000000000;           // ns: longer than a frame waits
 constexpr std::uint64_t kDetectorStream = 0x7D1E5EEDu;  // apart from the other random numbers of a flight
 
 /// Uniform in a ball.
@@ -39,7 +39,7 @@ Detector::Detector(const FlightWorld& world, const std::vector<ThingMotion>& thi
       begin_(begin),
       noise_(world.settings.seed ^ kDetectorStream),
       ids_(things.size()),
-      clusters_(world.settings.cluster_class),
+      clusters_(world.settings.cluster_class, world.boundary.lower.z),
       watch_(world.things, things) {
   std::iota(ids_.begin(), ids_.end(), first_id);
 }
@@ -133,7 +133,9 @@ void Detector::deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape) {
 }
 
 void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
-  while (!told_.empty() && told_.front().measured + kTellsOfHitsFor < scan.taken) told_.pop_front();
+  // Plans that are being made keep clear of what was forgotten since.
+  const std::int64_t oldest = scan.taken - kToldFor - memory();
+  while (!told_.empty() && told_.front().measured < oldest) told_.pop_front();
   forget_lost(scan, flight, tape);
   std::vector<Measurement> order = scan.seen;
   std::stable_sort(order.begin(), order.end(), [&scan](const Measurement& a, const Measurement& b) {
@@ -154,12 +156,11 @@ void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
 }
 
 void Detector::forget_lost(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
-  const auto memory = static_cast<std::int64_t>(1e9 * world_.settings.thing_memory);
   for (auto it = known_.begin(); it != known_.end();) {
     const tern::Track& track = it->second.track;
     const bool is_far =
         distance_between(expected_place(track, scan.taken), scan.from) > world_.settings.detection_range;
-    const bool is_lost = is_far || (memory > 0 && scan.taken - track.measured > memory);
+    const bool is_lost = is_far || (memory() > 0 && scan.taken - track.measured > memory());
     if (is_lost) tape.forget_track(flight, it->first);
     it = is_lost ? known_.erase(it) : std::next(it);
   }
@@ -194,15 +195,16 @@ bool Detector::meets(const Vec3& place, std::int64_t t) const {
   constexpr double kRounding = 1e-6;
   const FlightSettings& s = world_.settings;
   const double clearance = s.body_radius + s.pose_margin + s.tracking_margin + kRounding;
-  return std::any_of(known_.begin(), known_.end(), [&](const auto& entry) {
-    const tern::Track& track = entry.second.track;
+  const auto is_met = [&](const tern::Track& track) {
     const double age = 1e-9 * static_cast<double>(t - track.measured);
     if (age < 0.0) return false;
     const double error = track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
     const bool reaches = track.reach == 0.0 ||
                          surface_distance(track, track.position, place) <= track.error + track.reach * age + clearance;
     return reaches && surface_distance(track, expected_place(track, t), place) <= error + clearance;
-  });
+  };
+  return std::any_of(told_.begin(), told_.end(), is_met) ||
+         std::any_of(known_.begin(), known_.end(), [&](const auto& entry) { return is_met(entry.second.track); });
 }
 
 const tern::Track* Detector::known(std::size_t thing) const {

@@ -49,7 +49,7 @@ class Detector {
   /// by a measurement from about then.
   bool explains(const tern::Vec3& point, std::int64_t t, double room) const;
   /// True if a vehicle at `place` at time t, ns, is nearer than its clearance to the tube of a thing that the flight
-  /// knows.
+  /// knows, or knew lately.
   bool meets(const tern::Vec3& place, std::int64_t t) const;
   const DetectorCounts& counts() const { return counts_; }
   bool uses_clusters() const { return world_.settings.detection_source == "clusters"; }
@@ -71,6 +71,7 @@ class Detector {
   Measurement measure(std::size_t thing, std::int64_t t, const tern::Vec3& pose_error);
   void swap_identities(std::vector<Measurement>& seen);
   void tell(const Scan& scan, tern::Flight& flight, FlightTape& tape);
+  std::int64_t memory() const { return static_cast<std::int64_t>(1e9 * world_.settings.thing_memory); }
   void forget_lost(const Scan& scan, tern::Flight& flight, FlightTape& tape);
   bool make_room(const Scan& scan, double far, tern::Flight& flight, FlightTape& tape);
 
