@@ -14,6 +14,7 @@
 #include "host/things/detector.hpp"
 #include "host/things/thing_record.hpp"
 #include "host/things/thing_watch.hpp"
+#include "host/vehicle/vehicle.hpp"
 #include "support/flight_room.hpp"
 #include "support/random.hpp"
 

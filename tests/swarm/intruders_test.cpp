@@ -205,6 +205,8 @@ TEST(Intruders, AreFlownTheSameAgain) {
   EXPECT_EQ(replay_swarm(read), "");
   read.intruders.pop_back();
   EXPECT_NE(replay_swarm(read), "");
+  read.intruders.assign(std::size_t{kMostIntruders} + 1, world.intruders[0]);
+  EXPECT_THROW(replay_swarm(read), std::runtime_error);
 }
 
 // In processes, ticks are late.

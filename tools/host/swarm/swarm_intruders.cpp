@@ -81,7 +81,8 @@ bool is_possible(const SwarmWorld& world, const Thing& thing) {
   };
   if (std::any_of(world.tasks.begin(), world.tasks.end(), is_near)) return false;
   const double room = kRadius + walk.speed * kLookAtBlocks;
-  for (double t = 0.0; !world.blocks.empty() && t < parts_of(walk).back().begin; t += kLookAtBlocks) {
+  const double period = parts_of(walk).back().begin;
+  for (double t = 0.0; !world.blocks.empty() && t < period; t += kLookAtBlocks) {
     const tern::Vec3 place = motion.at(t).position;
     for (const tern::Box& block : world.blocks) {
       if (distance_to(block, place) < room) return false;
@@ -107,8 +108,14 @@ Thing any_intruder(const SwarmWorld& world, const Area& area, const IntruderSett
                            " m/s^2 and touches nothing that stands still");
 }
 
+void check_count(std::size_t count) {
+  if (count <= std::size_t{kMostIntruders}) return;
+  throw std::runtime_error("there is room for " + std::to_string(kMostIntruders) + " intruders");
+}
+
 /// What `tern fly` tells of things, if they are seen everywhere.
 FlightWorld seen_world(const SwarmWorld& world, std::uint64_t seed) {
+  check_count(world.intruders.size());
   FlightWorld seen = {};
   seen.things = world.intruders;
   seen.settings.seed = seed;
@@ -119,9 +126,7 @@ FlightWorld seen_world(const SwarmWorld& world, std::uint64_t seed) {
 }  // namespace
 
 void add_intruders(SwarmWorld& world, const IntruderSettings& settings, std::uint64_t seed) {
-  if (settings.count > kMostIntruders) {
-    throw std::runtime_error("there is room for " + std::to_string(kMostIntruders) + " intruders");
-  }
+  check_count(static_cast<std::size_t>(settings.count));
   IntruderSettings chosen = settings;
   if (!(chosen.speed > 0.0)) chosen.speed = 0.5 * world.limits.v_max.x;
   Noise random(seed ^ kIntruderStream);
@@ -136,12 +141,6 @@ std::vector<std::string> lines_of(const std::vector<Thing>& things) {
     lines.back().pop_back();
   }
   return lines;
-}
-
-std::vector<ThingMotion> motions_of(const std::vector<Thing>& things) {
-  std::vector<ThingMotion> motions;
-  for (const Thing& thing : things) motions.emplace_back(thing);
-  return motions;
 }
 
 std::vector<tern::Vec3> places_of(const std::vector<ThingMotion>& motions, std::int64_t t) {

@@ -36,7 +36,6 @@ void add_intruders(SwarmWorld& world, const IntruderSettings& settings, std::uin
 
 /// The lines of docs/formats.md, without their ends.
 std::vector<std::string> lines_of(const std::vector<Thing>& things);
-std::vector<ThingMotion> motions_of(const std::vector<Thing>& things);
 /// Where all are at t ns.
 std::vector<tern::Vec3> places_of(const std::vector<ThingMotion>& motions, std::int64_t t);
 /// Tells a watch of a world's intruders.
@@ -45,8 +44,11 @@ void watch_intruders(const SwarmWorld& world, SwarmWatch& watch);
 /// Tells one vehicle's flight of all intruders, wherever they are.
 class IntruderReports {
  public:
-  /// `begin`: of the flight, ns: the world's time 0. `tick`: FlightSpec::tick. `world` must outlive this.
+  /// `begin`: of the flight, ns: the world's time 0. `tick`: FlightSpec::tick. Throws std::runtime_error if there are
+  /// more than kMostIntruders.
   IntruderReports(const SwarmWorld& world, std::uint64_t seed, std::int64_t begin, std::int64_t tick);
+  IntruderReports(const IntruderReports&) = delete;
+  IntruderReports& operator=(const IntruderReports&) = delete;
   /// Before a tick of the flight at `time`, with the vehicle at `place`.
   void tell(std::int64_t time, const tern::Vec3& place, tern::Flight& flight);
 

@@ -70,9 +70,9 @@ SwarmVehicle::SwarmVehicle(const SwarmWorld& world, const SwarmSettings& setting
   const Status begun =
       flight_.start(spec_, map_, planner_, flight_words_.data(), flight_words_.size(), task.start, offset_);
   if (begun != Status::kOk) fail(world, number, "the flight cannot begin", begun);
-  traffic_.start(offset_, spec_.tick, static_cast<std::size_t>(tern::kMaxFlightTracks) - world.intruders.size());
   const std::uint64_t noise = settings.seed + static_cast<std::uint64_t>(number);
   if (!world.intruders.empty()) intruders_ = std::make_unique<IntruderReports>(world, noise, offset_, spec_.tick);
+  traffic_.start(offset_, spec_.tick, std::size_t{tern::kMaxFlightTracks} - world.intruders.size());
   begin_fleet(offset_);
 }
 

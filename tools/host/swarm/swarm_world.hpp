@@ -31,7 +31,7 @@ struct SwarmWorld {
   tern::Box boundary{};  ///< its faces are walls
   std::vector<tern::Box> blocks;
   std::vector<SwarmTask> tasks;
-  std::vector<Thing> intruders;  ///< that are no members; walks or trefoils
+  std::vector<Thing> intruders;  ///< balls that are no members; walks or trefoils
   tern::Limits limits{};
   double body_radius = 0.25;  ///< m
   double cell = 0.25;         ///< m, of the maps

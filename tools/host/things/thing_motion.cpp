@@ -164,6 +164,10 @@ ThingState ThingMotion::at(double t) const {
   return std::prev(later)->at(since);
 }
 
+std::vector<ThingMotion> motions_of(const std::vector<Thing>& things) {
+  return {things.begin(), things.end()};
+}
+
 void ThingMotion::hunt(double t, double step, const Vec3& prey) {
   const auto* const hunt = std::get_if<Hunt>(&motion_);
   if (hunt == nullptr) return;

@@ -50,6 +50,9 @@ class ThingMotion {
   ThingBounds bounds_;
 };
 
+/// Of all things, in their order.
+std::vector<ThingMotion> motions_of(const std::vector<Thing>& things);
+
 }  // namespace tern_host
 
 #endif

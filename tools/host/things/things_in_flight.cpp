@@ -14,12 +14,6 @@ namespace {
 constexpr double kStepOfPlaces = 0.1;  // s
 constexpr double kMostPlaces = 1200.0;
 
-std::vector<ThingMotion> motions_of(const std::vector<Thing>& things) {
-  std::vector<ThingMotion> motions;
-  for (const Thing& thing : things) motions.emplace_back(thing);
-  return motions;
-}
-
 }  // namespace
 
 int ThingTotals::in_motion() const {
