@@ -243,6 +243,13 @@ bool Onboard::obstacles(std::vector<tern::Vec3>& centres) const {
   return true;
 }
 
+bool Onboard::read_map(const std::function<void(const tern::RollingMap& map, const tern::Vec3& offset)>& read) const {
+  const std::lock_guard lock(mutex_);
+  if (status_.state != State::kFlying) return false;
+  read(map_, poses_.offset());
+  return true;
+}
+
 /// The planner has a plan's corridor until it begins the next one, in the frame of the window that it began with.
 void Onboard::keep_corridor(const tern::FlightReport& before) {
   if (status_.report.asked != before.asked) plan_origin_ = map_.route().spec().origin;

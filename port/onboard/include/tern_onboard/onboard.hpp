@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -145,6 +146,10 @@ class Onboard {
   std::vector<tern::Vec3> plan_points(std::int64_t now, std::int64_t step, std::size_t most) const;
   /// Centres of the voxels in which something was seen. False while the map cannot be read: try again after a tick.
   bool obstacles(std::vector<tern::Vec3>& centres) const;
+  /// Calls `read` with the map, and with what to subtract from places in the frame of the poses to get those of the
+  /// map, m. For what finds things that move in it, as tern::tracker. `read` must not call this object. False without a
+  /// flight.
+  bool read_map(const std::function<void(const tern::RollingMap& map, const tern::Vec3& offset)>& read) const;
   /// The polyhedra of the corridor of the last new plan that was committed; empty if there is none.
   std::vector<std::vector<tern::Halfspace>> corridor() const;
 
