@@ -118,6 +118,22 @@ TEST(ThreatWatch, NoticesAlarmsForNothing) {
   EXPECT_TRUE(mentions(Wall().watch([](std::int64_t t) { return Wall::honest(t + kAppears); }), "there is not"));
 }
 
+/// A tube reaches the way after 1.8 s, before the wall is seen and before it is met.
+TEST(ThreatWatch, BelievesContactsWithTubes) {
+  constexpr std::int64_t kMet = 1800000000;
+  const auto warn = [](std::int64_t t) {
+    tern::FlightReport report = Wall::honest(t + kAppears);
+    report.contact_time = std::max(t, std::int64_t{kMet});
+    report.contact_speed = Wall::command(report.contact_time).velocity.x;
+    return report;
+  };
+  Wall wall;
+  EXPECT_FALSE(wall.watch(warn).empty());
+  Wall with_tube;
+  with_tube.meets = [](const tern::Vec3&, std::int64_t t) { return t >= kMet; };
+  EXPECT_EQ(with_tube.watch(warn), "");
+}
+
 TEST(ThreatWatch, NoticesAWrongInstant) {
   for (const std::int64_t off : {-20000000, 1000000}) {
     EXPECT_TRUE(mentions(Wall().watch([off](std::int64_t t) {

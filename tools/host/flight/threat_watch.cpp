@@ -100,7 +100,8 @@ void ThreatWatch::count_disagreement(const tern::FlightReport& report, std::int6
   said_ = threat || (said_ && shown_ >= 0);
   const bool is_told = said_ && rests(commands_.at(t)) && report.blocked_by != tern::BlockedBy::kNothing;
   unnoticed_ = shown_ >= 0 && !threat && !is_told ? unnoticed_ + 1 : 0;
-  unfounded_ = unproven_ < 0 && threat && !rooms_.leaves() && !map_.busy() ? unfounded_ + 1 : 0;
+  const bool is_met = threat && meets_(commands_.at(report.contact_time).position, report.contact_time);
+  unfounded_ = unproven_ < 0 && threat && !is_met && !rooms_.leaves() && !map_.busy() ? unfounded_ + 1 : 0;
   if (unnoticed_ > most) fail("something is in the way, and the flight does not say so", t);
   if (unfounded_ > most) fail("the flight says that something is in the way, and there is not", t);
 }
