@@ -30,6 +30,14 @@ void Draft::begin(const FlightFacts& flight, std::int64_t ticks) noexcept {
   deadline = takeover - flight.spec.tick;
 }
 
+void Draft::shift(std::int64_t by) noexcept {
+  takeover += by;
+  deadline += by;
+  if (extends) return;
+  plan.planned.begin += by;
+  plan.trajectory.begin += by;
+}
+
 void Draft::extend(const Commitment& in_flight) noexcept {
   plan = in_flight;
   extends = true;
@@ -38,6 +46,7 @@ void Draft::extend(const Commitment& in_flight) noexcept {
 void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out) noexcept {
   static_cast<Destination&>(plan) = aim;
   plan.planned = planned;
+  plan.planned.begin = takeover;
   plan.branch = 0.0;
   plan.evades = false;
   plan.hemmed_in = hemmed_in;

@@ -30,6 +30,8 @@ struct Draft {
 
   /// The next commit takes over this number of ticks ahead.
   void begin(const FlightFacts& flight, std::int64_t ticks) noexcept;
+  /// Its takeover, and what begins with it, are so many nanoseconds later, or earlier. An extension began before.
+  void shift(std::int64_t by) noexcept;
   /// Counts as no extension from now on.
   void clear() noexcept { extends = false; }
   /// Becomes the remainder of the planner's plan in flight.

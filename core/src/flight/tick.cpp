@@ -112,6 +112,17 @@ bool FlightState::leaves_place() noexcept {
   return true;
 }
 
+/// A late plan goes on with twice its lead if it may begin at any time.
+bool FlightState::waits_for_plan() noexcept {
+  const bool may_wait = facts.may_wait() && !evasion.is_running && cycle.is_planning();
+  const bool is_from_rest = draft.takeover > facts.plans.rest_begins();
+  if (!may_wait || !is_from_rest || cycle.lead.late >= kMostDoublings) return false;
+  const std::int64_t before = cycle.lead.ticks(facts.spec);
+  cycle.lead.note_late();
+  draft.shift((cycle.lead.ticks(facts.spec) - before) * facts.spec.tick);
+  return true;
+}
+
 void FlightState::advance() noexcept {
   is_leaving = leaves_place();
   const bool is_last = facts.landing.is_asked ? facts.lands() : facts.itinerary.is_reached_by(facts.plans.in_flight);
@@ -119,7 +130,7 @@ void FlightState::advance() noexcept {
     facts.itinerary.pass(facts.itinerary.last());
     park(facts.landing.is_asked ? FlightReason::kLanded : FlightReason::kArrived);
   }
-  if (is_busy() && facts.time > draft.deadline) {
+  if (is_busy() && facts.time > draft.deadline && !waits_for_plan()) {
     ++report.dropped;
     if (evasion.is_running) evasion.miss(facts.itinerary.has_goal);
     if (!evasion.is_running && cycle.is_planning()) cycle.lead.note_late();
