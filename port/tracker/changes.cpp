@@ -21,13 +21,14 @@ bool voxels_within(double at, double error, double origin, double cell, std::int
   return true;
 }
 
-/// A vector of a camera's own axes in the world's. The quaternion is one of unit length, or nearly.
+/// A vector of a camera's own axes in the world's. The quaternion's length need not be 1.
 Vec3 turned(const double (&q)[4], const Vec3& v) {
   // v + 2 u x (u x v + w v), where u is the vector part.
   const Vec3 a{q[2] * v.z - q[3] * v.y + q[0] * v.x, q[3] * v.x - q[1] * v.z + q[0] * v.y,
                q[1] * v.y - q[2] * v.x + q[0] * v.z};
   const Vec3 b{q[2] * a.z - q[3] * a.y, q[3] * a.x - q[1] * a.z, q[1] * a.y - q[2] * a.x};
-  return {v.x + 2.0 * b.x, v.y + 2.0 * b.y, v.z + 2.0 * b.z};
+  const double twice = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  return {v.x + twice * b.x, v.y + twice * b.y, v.z + twice * b.z};
 }
 
 double length(const Vec3& v) {
@@ -61,9 +62,8 @@ void add_change(const tern::RollingMap& map, const Vec3& point, double error, Cl
 }  // namespace
 
 bool is_change(const tern::RollingMap& map, const Vec3& point, double error) {
-  const tern::Grid& grid = map.safe();
-  if (!map.bound() || !grid.bound()) return false;
-  const tern::GridSpec& spec = grid.spec();
+  if (!map.bound() || !map.safe().bound()) return false;
+  const tern::GridSpec& spec = map.safe().spec();
   if (!(error >= 0.0 && error <= kMostErrorVoxels * spec.cell)) return false;
   tern::Voxel first{}, last{};
   if (!voxels_within(point.x, error, spec.origin.x, spec.cell, spec.dims.x, first.x, last.x) ||
@@ -103,7 +103,8 @@ ClusterStatus add_changes(const tern::RollingMap& map, const tern::DepthView& vi
 
 ClusterStatus add_changes(const tern::RollingMap& map, const tern::Beams& beams, const Vec3& origin,
                           Clusters& clusters) {
-  if (!map.bound() || beams.directions == nullptr || beams.ranges == nullptr) return ClusterStatus::kInvalidArgument;
+  const bool there = beams.count == 0 || (beams.directions != nullptr && beams.ranges != nullptr);
+  if (!map.bound() || !there) return ClusterStatus::kInvalidArgument;
   const tern::MapSpec& spec = map.spec();
   ClusterStatus status = ClusterStatus::kOk;
   for (std::size_t k = 0; k < beams.count; ++k) {

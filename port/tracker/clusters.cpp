@@ -6,7 +6,7 @@ namespace tern_tracker {
 namespace {
 
 constexpr std::int32_t kNone = -1;
-constexpr int kKeyBits = 21;  // of each axis, for numbers from 0 to 2 kClusterReach
+constexpr int kKeyBits = 21;  // of each axis, for numbers below 2 kClusterReach
 constexpr int kSlotBits = 13;
 static_assert(2 * kMaxClusterCells == 1 << kSlotBits, "a slot is kSlotBits of a hash");
 

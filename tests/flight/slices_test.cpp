@@ -6,7 +6,6 @@
 
 #include "flight/balls.hpp"
 #include "support/flight_room.hpp"
-#include "support/same.hpp"
 
 namespace {
 
@@ -17,70 +16,6 @@ using tern_test::kNothing;
 
 /// Away from all that is flown here.
 const Box kAside{{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}};
-
-/// A ball that rests far from all that is flown here: with it, time matters.
-void add_thing(FlightRoom& room) {
-  ASSERT_EQ(room.flight.update_track(tern_test::seen(1, {-10.0, 9.0, 0.5}, {}, room.time, 0.0)), Status::kOk);
-}
-
-FlightSpec slow_spec() {
-  FlightSpec spec = FlightRoom::flight_spec(256);
-  spec.plan_work = 2048;
-  return spec;
-}
-
-/// Half of a tick's units for 2048 units of a plan are 16 ticks; two more, and twice as many after each dropped plan,
-/// up to eight times.
-TEST(FlightSlices, DroppedPlansGetMoreTime) {
-  FlightRoom room(slow_spec());
-  add_thing(room);
-  room.flight.set_goal({8.0, 0.0, 1.0});
-  std::uint32_t dropped = 0;
-  for (const std::int64_t ticks : {18, 34, 66, 130, 130, 130}) {
-    room.tick();
-    EXPECT_EQ(room.report.dropped, dropped++);
-    EXPECT_EQ(room.state().draft.takeover, room.time + (ticks - 1) * room.spec.tick);
-    room.time = room.state().draft.takeover;
-  }
-  EXPECT_EQ(room.report.committed, 0u);
-}
-
-/// Where nothing changes with time, the same plan gets these ticks while the vehicle rests, and is dropped after them.
-TEST(FlightSlices, LatePlansFromRestGoOn) {
-  FlightRoom room(slow_spec());
-  const std::int64_t began = room.time;
-  room.flight.set_goal({8.0, 0.0, 1.0});
-  for (const std::int64_t ticks : {18, 34, 66, 130}) {
-    room.tick();
-    EXPECT_EQ(room.report.asked, 1u);
-    EXPECT_EQ(room.report.dropped, 0u);
-    EXPECT_EQ(room.state().draft.takeover, began + ticks * room.spec.tick);
-    EXPECT_EQ(room.state().draft.deadline, began + (ticks - 1) * room.spec.tick);
-    room.time = room.state().draft.takeover;
-  }
-  room.tick();
-  EXPECT_EQ(room.report.asked, 2u);
-  EXPECT_EQ(room.report.dropped, 1u);
-}
-
-/// A late one takes over one tick after its commit, and is flown from there as it was proven.
-TEST(FlightSlices, LatePlansFromRestDoNotWaitForTheirTakeover) {
-  FlightRoom room(slow_spec());
-  FlightState& state = room.state();
-  room.flight.set_goal({8.0, 0.0, 1.0});
-  room.tick();
-  room.time = state.draft.takeover;
-  ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.has_waiting; }, 20));
-  EXPECT_EQ(state.cycle.lead.late, 1);
-  EXPECT_EQ(room.report.dropped, 0u);
-  const Commitment waiting = state.facts.plans.waiting;
-  EXPECT_EQ(waiting.begin(), room.time);
-  EXPECT_EQ(waiting.trajectory.begin, room.time);
-  EXPECT_EQ(waiting.planned.begin, room.time);
-  tern_test::expect_same(room.position(), room.start);
-  room.tick();
-  EXPECT_EQ(state.facts.plans.in_flight.begin(), waiting.begin());
-}
 
 /// A watch that is not done goes on in the next tick; until then no plan begins.
 TEST(FlightSlices, NoPlanBeginsWhileWhatIsFlownIsProvenAnew) {
@@ -283,6 +218,11 @@ TEST(FlightSlices, BrakeThatIsLateIsNotTriedAgainWithANewGoal) {
   room.advance(kNothing);
   EXPECT_FALSE(state.evasion.is_running);
   EXPECT_FALSE(state.evasion.stop_asked);
+}
+
+/// A ball that rests far from all that is flown here: with it, time matters.
+void add_thing(FlightRoom& room) {
+  ASSERT_EQ(room.flight.update_track(tern_test::seen(1, {-10.0, 9.0, 0.5}, {}, room.time, 0.0)), Status::kOk);
 }
 
 /// A plan from rest is about to take over: it is dropped, and the vehicle stays.

@@ -43,6 +43,7 @@ struct RandomView {
     view.width = view.height = kFace;
     view.fx = view.fy = around ? kFace / (2.0 * tern::bent(tern::kFaceTangent)) : 0.6 * kFace;
     view.cx = view.cy = 0.5 * (kFace - 1);
+    if (!around && random.chance(0.5)) view.cx = random.real(-50.0, 110.0);  // a part of a larger image
     view.growth = random.real(0.0, 0.1);
     view.growth_ahead = random.real(0.0, 0.02);
     view.reach = around ? 1.25 * 2.5 / kFace : 0.0;

@@ -41,7 +41,8 @@ struct SwarmOptions {
 std::string member_of(const std::string& world, int run) {
   const std::size_t colon = world.find(':');
   if (run == 0 || colon == std::string::npos) return world;
-  return world.substr(0, colon + 1) + std::to_string(std::strtoull(world.c_str() + colon + 1, nullptr, 10) + run);
+  return world.substr(0, colon + 1) +
+         std::to_string(std::strtoull(world.c_str() + colon + 1, nullptr, 10) + static_cast<std::uint64_t>(run));
 }
 
 void show_progress(const std::string& name, double time, int arrived, std::size_t count) {

@@ -206,8 +206,7 @@ Progress Cycle::begin_renewal(const FlightFacts& flight, Draft& draft) noexcept 
 }
 
 void Cycle::prove_anew() noexcept {
-  const bool proves_draft = job == Job::kProve || job == Job::kBranch || job == Job::kConfirm;
-  if (proves_draft) job = Job::kWait;
+  if (proves_draft()) job = Job::kWait;
   if (job == Job::kRenew) job = Job::kCleared;
   if (job == Job::kSidestep) sidesteps.begin(sidesteps.stays);
 }

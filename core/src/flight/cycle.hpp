@@ -55,7 +55,7 @@ enum class NextPlan : std::uint8_t {
 
 /// How long before its takeover a plan begins.
 struct Lead {
-  int late;  ///< plans in a row that were dropped because they were late
+  int late;  ///< plans in a row that were late
 
   /// Ticks before the takeover. Each late plan doubles them, up to kMostDoublings times.
   std::int64_t ticks(const FlightSpec& spec) const noexcept;
@@ -157,6 +157,8 @@ struct Cycle {
   /// A copy or a proof reads the map, which must not change meanwhile.
   bool reads_map() const noexcept;
   /// False while it looks for a sidestep, and while others look at the plan: what is late then is no plan.
+  /// The draft is being proven, with the tubes that it has now.
+  bool proves_draft() const noexcept { return job == Job::kProve || job == Job::kBranch || job == Job::kConfirm; }
   bool is_planning() const noexcept {
     return job != Job::kSidestep && job != Job::kAnswer && job != Job::kCleared && job != Job::kRenew;
   }

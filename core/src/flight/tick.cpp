@@ -116,7 +116,9 @@ bool FlightState::leaves_place() noexcept {
 bool FlightState::waits_for_plan() noexcept {
   const bool may_wait = facts.may_wait() && !evasion.is_running && cycle.is_planning();
   const bool is_from_rest = draft.takeover > facts.plans.rest_begins();
-  if (!may_wait || !is_from_rest || cycle.lead.late >= kMostDoublings) return false;
+  // Things that were forgotten since are in its proof all the same.
+  const bool has_tubes = cycle.proves_draft() && draft.plan.tubes.count > 0;
+  if (!may_wait || !is_from_rest || has_tubes || cycle.lead.late >= kMostDoublings) return false;
   const std::int64_t before = cycle.lead.ticks(facts.spec);
   cycle.lead.note_late();
   draft.shift((cycle.lead.ticks(facts.spec) - before) * facts.spec.tick);

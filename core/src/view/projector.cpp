@@ -149,9 +149,9 @@ Projector::Image Projector::project(const Axis& axis, const Tangents& t) const n
   return {whole(clamp(from, 0.0f, axis.last)), whole(clamp(to, 0.0f, axis.last)), (from >= 0.0f) & (to < axis.count)};
 }
 
-/// Not 0 if all centres are outside of the image. Each is at most `far` ahead.
+/// Not 0 if all centres are outside of the image. Each is at most `far` ahead, and perhaps not at all.
 FourInts Projector::aside(const Axis& axis, Four center, Four half, Four far) noexcept {
-  return (center + half < axis.least * far) | (center - half > axis.most * far);
+  return (center + half < smaller(axis.least * far, all(0.0f))) | (center - half > larger(axis.most * far, all(0.0f)));
 }
 
 bool Projector::misses(const Point& center, const Point& size) const noexcept {
@@ -161,8 +161,12 @@ bool Projector::misses(const Point& center, const Point& size) const noexcept {
   const float far = center.z + half(steps_[0].z, steps_[1].z, steps_[2].z);
   const float aside = half(steps_[0].x, steps_[1].x, steps_[2].x);
   const float below = half(steps_[0].y, steps_[1].y, steps_[2].y);
-  return far <= 0.0f || center.x + aside < u_.least * far || center.x - aside > u_.most * far ||
-         center.y + below < v_.least * far || center.y - below > v_.most * far;
+  const auto outside = [far](const Axis& axis, float middle, float reach) {
+    const float least = axis.least * far;
+    const float most = axis.most * far;
+    return middle + reach < (least < 0.0f ? least : 0.0f) || middle - reach > (most > 0.0f ? most : 0.0f);
+  };
+  return far <= 0.0f || outside(u_, center.x, aside) || outside(v_, center.y, below);
 }
 
 /// All footprints begin before the greatest of `t`, and end behind the least.

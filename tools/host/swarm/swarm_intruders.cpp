@@ -64,7 +64,8 @@ Walk any_way(const SwarmWorld& world, const Area& area, const IntruderSettings& 
   };
   const double from = random.within(0.0, kTurn);
   const double until = from + kTurn * random.within(0.4, 0.6);
-  const WalkPoint turn = at(random.within(0.0, kTurn), area.radius * random.within(0.0, 0.5));
+  const double inside = area.radius * random.within(0.0, 0.5);
+  const WalkPoint turn = at(random.within(0.0, kTurn), inside);
   const double outside = area.radius + kBeyond + stop;
   walk.points = {at(from, outside), turn, at(until, outside), turn};
   return walk;

@@ -125,17 +125,14 @@ template void Detector::see(const LidarScan&, const Vec3&, const tern::RollingMa
 void Detector::deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape) {
   const std::int64_t latency = std::llround(1e9 * world_.settings.detection_latency);
   for (; !waiting_.empty() && waiting_.front().taken + latency <= t; waiting_.pop_front()) {
-    tell(waiting_.front(), flight, tape);
-    for (const Measurement& one : waiting_.front().seen) {
-      if (uses_clusters()) watch_.note_told(one.track, t);
-    }
+    tell(waiting_.front(), t, flight, tape);
   }
 }
 
-void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
-  // Plans that are being made keep clear of what was forgotten since.
-  const std::int64_t oldest = scan.taken - kToldFor - memory();
+void Detector::tell(const Scan& scan, std::int64_t t, tern::Flight& flight, FlightTape& tape) {
+  const std::int64_t oldest = scan.taken - kToldFor;
   while (!told_.empty() && told_.front().measured < oldest) told_.pop_front();
+  while (!forgotten_.empty() && forgotten_.front().when < oldest) forgotten_.pop_front();
   forget_lost(scan, flight, tape);
   std::vector<Measurement> order = scan.seen;
   std::stable_sort(order.begin(), order.end(), [&scan](const Measurement& a, const Measurement& b) {
@@ -150,6 +147,7 @@ void Detector::tell(const Scan& scan, tern::Flight& flight, FlightTape& tape) {
     if (tape.update_track(flight, one.track) != tern::Status::kOk) continue;
     known_[one.track.id] = one;
     told_.push_back(one.track);
+    if (uses_clusters()) watch_.note_told(one.track, t);
     ++counts_.measured;
     counts_.most_known = std::max(counts_.most_known, known_.size());
   }
@@ -161,8 +159,7 @@ void Detector::forget_lost(const Scan& scan, tern::Flight& flight, FlightTape& t
     const bool is_far =
         distance_between(expected_place(track, scan.taken), scan.from) > world_.settings.detection_range;
     const bool is_lost = is_far || (memory() > 0 && scan.taken - track.measured > memory());
-    if (is_lost) tape.forget_track(flight, it->first);
-    it = is_lost ? known_.erase(it) : std::next(it);
+    it = is_lost ? forget(it, scan.taken, flight, tape) : std::next(it);
   }
 }
 
@@ -174,9 +171,15 @@ bool Detector::make_room(const Scan& scan, double far, tern::Flight& flight, Fli
   const auto farthest = std::max_element(known_.begin(), known_.end(),
                                          [&](const auto& a, const auto& b) { return distance_of(a) < distance_of(b); });
   if (distance_of(*farthest) <= far) return false;
-  tape.forget_track(flight, farthest->first);
-  known_.erase(farthest);
+  forget(farthest, scan.taken, flight, tape);
   return true;
+}
+
+Detector::Known::iterator Detector::forget(Known::iterator one, std::int64_t t, tern::Flight& flight,
+                                           FlightTape& tape) {
+  tape.forget_track(flight, one->first);
+  forgotten_.push_back({t, one->second.track});
+  return known_.erase(one);
 }
 
 bool Detector::explains(const Vec3& point, std::int64_t t, double room) const {
@@ -203,7 +206,10 @@ bool Detector::meets(const Vec3& place, std::int64_t t) const {
                          surface_distance(track, track.position, place) <= track.error + track.reach * age + clearance;
     return reaches && surface_distance(track, expected_place(track, t), place) <= error + clearance;
   };
+  // Plans that are being made keep clear of what was forgotten since.
+  const auto was_met = [&](const Forgotten& one) { return is_met(one.track); };
   return std::any_of(told_.begin(), told_.end(), is_met) ||
+         std::any_of(forgotten_.begin(), forgotten_.end(), was_met) ||
          std::any_of(known_.begin(), known_.end(), [&](const auto& entry) { return is_met(entry.second.track); });
 }
 

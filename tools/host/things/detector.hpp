@@ -60,6 +60,11 @@ class Detector {
     std::size_t thing;  ///< kNoThing if it is of none
     tern::Track track;
   };
+  using Known = std::map<std::uint32_t, Measurement>;
+  struct Forgotten {
+    std::int64_t when;
+    tern::Track track;
+  };
   struct Scan {
     std::int64_t taken;
     tern::Vec3 from;  ///< where the vehicle believed to be
@@ -70,9 +75,10 @@ class Detector {
   double seconds(std::int64_t t) const { return 1e-9 * static_cast<double>(t - begin_); }
   Measurement measure(std::size_t thing, std::int64_t t, const tern::Vec3& pose_error);
   void swap_identities(std::vector<Measurement>& seen);
-  void tell(const Scan& scan, tern::Flight& flight, FlightTape& tape);
+  void tell(const Scan& scan, std::int64_t t, tern::Flight& flight, FlightTape& tape);
   std::int64_t memory() const { return static_cast<std::int64_t>(1e9 * world_.settings.thing_memory); }
   void forget_lost(const Scan& scan, tern::Flight& flight, FlightTape& tape);
+  Known::iterator forget(Known::iterator one, std::int64_t t, tern::Flight& flight, FlightTape& tape);
   bool make_room(const Scan& scan, double far, tern::Flight& flight, FlightTape& tape);
 
   const FlightWorld& world_;
@@ -81,8 +87,9 @@ class Detector {
   Noise noise_;
   std::vector<std::uint32_t> ids_;
   std::deque<Scan> waiting_;
-  std::map<std::uint32_t, Measurement> known_;  ///< to the flight, by their ids
-  std::deque<tern::Track> told_;                ///< lately
+  Known known_;                      ///< to the flight, by their ids
+  std::deque<tern::Track> told_;     ///< lately
+  std::deque<Forgotten> forgotten_;  ///< lately
   std::int64_t taken_ = 0;
   DetectorCounts counts_;
   ClusterDetector clusters_;

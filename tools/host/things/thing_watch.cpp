@@ -36,6 +36,12 @@ Extent extent_of(const Shaped& shaped) {
 /// How far a thing must be moved to be in the shape of a track, m, or more. `off`: its centre from the track's.
 double outside(const tern::Track& track, const Thing& thing, const tern::Vec3& off) {
   const Extent holds = extent_of(track), held = extent_of(thing);
+  if (track.shape == tern::TrackShape::kBall) {
+    const double far = thing.shape == tern::TrackShape::kBall
+                           ? length(off) + thing.radius
+                           : std::hypot(std::hypot(off.x, off.y) + held.level, std::abs(off.z) + held.up);
+    return std::max(0.0, far - track.radius);
+  }
   const double level = std::hypot(off.x, off.y) - (holds.level - held.level);
   const double up = std::abs(off.z) - (holds.up - held.up);
   return std::hypot(std::max(level, 0.0), std::max(up, 0.0));
