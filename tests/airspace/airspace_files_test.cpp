@@ -9,6 +9,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "airspace/airspace_file.hpp"
@@ -121,6 +123,29 @@ TEST(Airspace, SaysWhatItHasAlready) {
   const Airspace twice = tern_host::make_airspace({file, file}, lake_settings());
   EXPECT_EQ(twice.fence_count(), once.fence_count());
   EXPECT_EQ(twice.entries.back().left_out, "as Islands, zones.kml:23");
+}
+
+/// The first element of a drawing with an attribute twice, which is no XML; empty if there is none.
+std::string element_with_an_attribute_twice(const std::string& svg) {
+  const std::regex element("<[a-z][^>]*>");
+  const std::regex attribute(" ([a-z-]+)=\"");
+  for (std::sregex_iterator e(svg.begin(), svg.end(), element), end; e != end; ++e) {
+    const std::string text = e->str();
+    std::set<std::string> names;
+    for (std::sregex_iterator a(text.begin(), text.end(), attribute); a != end; ++a) {
+      if (!names.insert((*a)[1].str()).second) return text;
+    }
+  }
+  return "";
+}
+
+TEST(Airspace, DrawsMissionsAsXml) {
+  const Airspace airspace =
+      tern_host::make_airspace({tern_host::parse_airspace(content("mission.plan"), "mission.plan")}, lake_settings());
+  const std::string svg = tern_host::airspace_svg(airspace);
+  EXPECT_NE(svg.find("<polyline"), std::string::npos);
+  EXPECT_EQ(element_with_an_attribute_twice(svg), "");
+  EXPECT_EQ(element_with_an_attribute_twice("<a b=\"1\" b=\"2\"/>"), "<a b=\"1\" b=\"2\"/>");
 }
 
 TEST(Airspace, DrawsWhatItHas) {

@@ -96,6 +96,9 @@ Proof prove_file(const VerifyOptions& options, std::size_t& next) {
         name + ": not a plan file, nor the log of a flight: both are JSON. A scenario comes after its plan");
   }
   if (tern_verify::is_flight(text)) return prove_flight(text, options, next);
+  if (!options.settings.empty()) {
+    throw std::runtime_error(name + ": --set is for flights. Write into the scenario what the plan was made with");
+  }
   if (next == files.size()) throw std::runtime_error("verify needs a SCENARIO after the plan " + name);
   const tern_verify::Plan plan = tern_verify::parse_plan(text, name);
   const tern_verify::Problem problem = tern_verify::read_problem(files[next++]);

@@ -81,7 +81,7 @@ class PlanPicture {
   void draw_mission() {
     std::vector<Pixel> way;
     for (const LocalPoint& p : airspace_.points) way.push_back(pixel(p.position.x, p.position.y));
-    if (way.size() > 1) canvas_.polyline(way, R"(class="shortcut" fill="none")");
+    if (way.size() > 1) canvas_.polyline(way, R"(class="shortcut")");
     for (const Pixel& p : way) canvas_.circle(p, 3.5, R"(class="via")");
     for (const LocalPoint& p : airspace_.rally) {
       canvas_.circle(pixel(p.position.x, p.position.y), 4.0, R"(class="waypoint")");
