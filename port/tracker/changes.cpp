@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tern_onboard/pose.hpp"
+
 namespace tern_tracker {
 namespace {
 
@@ -21,22 +23,17 @@ bool voxels_within(double at, double error, double origin, double cell, std::int
   return true;
 }
 
-/// A vector of a camera's own axes in the world's. The quaternion's length need not be 1.
-Vec3 turned(const double (&q)[4], const Vec3& v) {
-  // v + 2 u x (u x v + w v), where u is the vector part.
-  const Vec3 a{q[2] * v.z - q[3] * v.y + q[0] * v.x, q[3] * v.x - q[1] * v.z + q[0] * v.y,
-               q[1] * v.y - q[2] * v.x + q[0] * v.z};
-  const Vec3 b{q[2] * a.z - q[3] * a.y, q[3] * a.x - q[1] * a.z, q[1] * a.y - q[2] * a.x};
-  const double twice = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  return {v.x + twice * b.x, v.y + twice * b.y, v.z + twice * b.z};
-}
-
-double length(const Vec3& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+/// A pose as begin_frame() takes it: its quaternion's length may be a little off.
+tern::Pose with_unit_quaternion(const tern::Pose& pose) {
+  tern::Pose unit = pose;
+  double square = 0.0;
+  for (const double q : pose.quaternion) square += q * q;
+  for (double& q : unit.quaternion) q /= std::sqrt(square);
+  return unit;
 }
 
 Vec3 along(const Vec3& from, double way, const Vec3& direction) {
-  return {from.x + way * direction.x, from.y + way * direction.y, from.z + way * direction.z};
+  return tern_onboard::plus(from, tern_onboard::times(direction, way));
 }
 
 /// The depth of a pixel, m; 0 where it has none.
@@ -86,16 +83,18 @@ ClusterStatus add_changes(const tern::RollingMap& map, const tern::DepthView& vi
   if (!map.bound() || (view.z16 == nullptr) == (view.z32 == nullptr)) return ClusterStatus::kInvalidArgument;
   const tern::MapSpec& spec = map.spec();
   const double half_pixel = 0.5 * std::sqrt(1.0 / (view.fx * view.fx) + 1.0 / (view.fy * view.fy));
+  const tern::Pose camera = with_unit_quaternion(pose);
   ClusterStatus status = ClusterStatus::kOk;
   for (std::int32_t v = 0; v < view.height; ++v) {
     for (std::int32_t u = 0; u < view.width; ++u) {
       const double depth = depth_of(view, u, v);
       if (!(depth > 0.0 && depth <= spec.range)) continue;
       const Vec3 ray{(u - view.cx) / view.fx, (v - view.cy) / view.fy, 1.0};
-      const double longer = length(ray);
+      const double longer = tern_onboard::length(ray);
       const double error =
           spec.pose_margin + longer * (depth_error(spec, depth) + spec.angle_margin * depth) + half_pixel * depth;
-      add_change(map, along(pose.position, depth, turned(pose.quaternion, ray)), error, clusters, status);
+      add_change(map, along(camera.position, depth, tern_onboard::turn(camera.quaternion, ray)), error, clusters,
+                 status);
     }
   }
   return status;
@@ -108,7 +107,7 @@ ClusterStatus add_changes(const tern::RollingMap& map, const tern::Beams& beams,
   const tern::MapSpec& spec = map.spec();
   ClusterStatus status = ClusterStatus::kOk;
   for (std::size_t k = 0; k < beams.count; ++k) {
-    const double range = static_cast<double>(beams.ranges[k]), norm = length(beams.directions[k]);
+    const double range = static_cast<double>(beams.ranges[k]), norm = tern_onboard::length(beams.directions[k]);
     if (!(range > 0.0 && range >= beams.min && range < beams.max && range <= spec.range && norm > 0.0)) continue;
     const double error =
         spec.pose_margin + depth_error(spec, range) + (spec.angle_margin + kBeamShows * spec.scan_pixel) * range;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern_tracker/clusters.hpp"
 
+#include <algorithm>
+
 namespace tern_tracker {
 namespace {
 
@@ -34,18 +36,10 @@ std::uint64_t neighbour_of(std::uint64_t key, int k) {
   return key + steps - key_of(one, one, one);
 }
 
-double smaller(double a, double b) {
-  return b < a ? b : a;
-}
-
-double larger(double a, double b) {
-  return b > a ? b : a;
-}
-
 /// Makes the box hold another one.
 void widen(tern::Vec3& lower, tern::Vec3& upper, const tern::Vec3& low, const tern::Vec3& high) {
-  lower = {smaller(lower.x, low.x), smaller(lower.y, low.y), smaller(lower.z, low.z)};
-  upper = {larger(upper.x, high.x), larger(upper.y, high.y), larger(upper.z, high.z)};
+  lower = {std::min(lower.x, low.x), std::min(lower.y, low.y), std::min(lower.z, low.z)};
+  upper = {std::max(upper.x, high.x), std::max(upper.y, high.y), std::max(upper.z, high.z)};
 }
 
 /// Neither comes first only where both are the same.

@@ -31,6 +31,11 @@ inline tern::Track seen(std::uint32_t id, const tern::Vec3& position, const tern
   return track;
 }
 
+/// A ball that rests far from all that is flown in the room: with it, time matters.
+inline void add_far_ball(FlightRoom& room) {
+  ASSERT_EQ(room.flight.update_track(seen(1, {-10.0, 9.0, 0.5}, {}, room.time, 0.0)), tern::Status::kOk);
+}
+
 /// A ball that flies towards the vehicle as well as its bounds allow, from where it keeps its velocity.
 struct Hunter {
   tern::Vec3 position;

@@ -11,12 +11,8 @@
 namespace {
 
 using namespace tern;
+using tern_test::add_far_ball;
 using tern_test::FlightRoom;
-
-/// A ball that rests far from all that is flown here: with it, time matters.
-void add_far_ball(FlightRoom& room) {
-  ASSERT_EQ(room.flight.update_track(tern_test::seen(1, {-10.0, 9.0, 0.5}, {}, room.time, 0.0)), Status::kOk);
-}
 
 FlightSpec slow_spec() {
   FlightSpec spec = FlightRoom::flight_spec(256);

@@ -220,15 +220,10 @@ TEST(FlightSlices, BrakeThatIsLateIsNotTriedAgainWithANewGoal) {
   EXPECT_FALSE(state.evasion.stop_asked);
 }
 
-/// A ball that rests far from all that is flown here: with it, time matters.
-void add_thing(FlightRoom& room) {
-  ASSERT_EQ(room.flight.update_track(tern_test::seen(1, {-10.0, 9.0, 0.5}, {}, room.time, 0.0)), Status::kOk);
-}
-
 /// A plan from rest is about to take over: it is dropped, and the vehicle stays.
 TEST(FlightSlices, StopBeforeTheTakeoverKeepsTheVehicleAtRest) {
   FlightRoom room;
-  add_thing(room);
+  tern_test::add_far_ball(room);
   room.flight.set_goal({8.125, 0.125, 1.125});
   ASSERT_TRUE(room.tick_until([&] { return room.state().facts.plans.has_waiting; }, 100));
   EXPECT_GT(room.flight.rest_position().x, 2.0);

@@ -156,9 +156,9 @@ struct Cycle {
 
   /// A copy or a proof reads the map, which must not change meanwhile.
   bool reads_map() const noexcept;
-  /// False while it looks for a sidestep, and while others look at the plan: what is late then is no plan.
   /// The draft is being proven, with the tubes that it has now.
   bool proves_draft() const noexcept { return job == Job::kProve || job == Job::kBranch || job == Job::kConfirm; }
+  /// False while it looks for a sidestep, and while others look at the plan: what is late then is no plan.
   bool is_planning() const noexcept {
     return job != Job::kSidestep && job != Job::kAnswer && job != Job::kCleared && job != Job::kRenew;
   }

@@ -85,7 +85,7 @@ struct FlightFacts {
   /// The vehicle rests at this takeover, or within two ticks of it, if no other plan takes over before.
   bool rests_at(std::int64_t takeover) const noexcept { return takeover + 2 * spec.tick >= plans.rest_begins(); }
   /// A plan may begin at any time: the vehicle hovers, and nothing that it keeps clear of changes with time.
-  bool may_wait() const noexcept {
+  bool takes_plans_at_any_time() const noexcept {
     return hovers() && !plans.has_waiting && tracks.count == 0 && !has_windows && spec.clearance == 0;
   }
   /// At this takeover, the vehicle is faster than a plan may be that begins there.

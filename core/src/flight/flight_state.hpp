@@ -51,6 +51,7 @@ class FlightState {
   Status update_track(const Track& measured) noexcept;
   bool keep_pieces(Track& track) noexcept;
   bool leaves_place() noexcept;
+  bool may_shift_plan() const noexcept;
   bool waits_for_plan() noexcept;
   void advance() noexcept;
   void begin_evasion() noexcept;

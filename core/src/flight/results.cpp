@@ -181,8 +181,7 @@ Progress FlightState::or_fail(Progress progress) noexcept {
 /// Commits the draft, or asks whether it may be flown. A late one that may begin at any time takes over with the next
 /// tick. A brake does not ask. False, and nothing is committed, if it does not join the committed plan.
 bool FlightState::commit() noexcept {
-  const bool may_begin = facts.may_wait() && draft.plan.tubes.count == 0;
-  const bool begins_now = cycle.lead.late > 0 && may_begin && !draft.extends && !evasion.is_running;
+  const bool begins_now = cycle.lead.late > 0 && may_shift_plan() && !draft.extends;
   if (begins_now) draft.shift(facts.time + facts.spec.tick - draft.takeover);
   if (!draft.joins_committed_plan(facts.plans, tick_work)) {
     fail();

@@ -112,13 +112,17 @@ bool FlightState::leaves_place() noexcept {
   return true;
 }
 
-/// A late plan goes on with twice its lead if it may begin at any time.
-bool FlightState::waits_for_plan() noexcept {
-  const bool may_wait = facts.may_wait() && !evasion.is_running && cycle.is_planning();
-  const bool is_from_rest = draft.takeover > facts.plans.rest_begins();
-  // Things that were forgotten since are in its proof all the same.
+/// True if the plan that is being made may begin at any time. Things that were forgotten since are in its proof all the
+/// same.
+bool FlightState::may_shift_plan() const noexcept {
   const bool has_tubes = cycle.proves_draft() && draft.plan.tubes.count > 0;
-  if (!may_wait || !is_from_rest || has_tubes || cycle.lead.late >= kMostDoublings) return false;
+  return facts.takes_plans_at_any_time() && !evasion.is_running && cycle.is_planning() && !has_tubes;
+}
+
+/// A late plan from rest goes on with twice its lead if it may begin at any time.
+bool FlightState::waits_for_plan() noexcept {
+  const bool is_from_rest = draft.takeover > facts.plans.rest_begins();
+  if (!may_shift_plan() || !is_from_rest || cycle.lead.late >= kMostDoublings) return false;
   const std::int64_t before = cycle.lead.ticks(facts.spec);
   cycle.lead.note_late();
   draft.shift((cycle.lead.ticks(facts.spec) - before) * facts.spec.tick);

@@ -12,11 +12,11 @@
 #include "host/flight/vectors.hpp"
 #include "host/number.hpp"
 #include "host/things/thing_record.hpp"
+#include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
 namespace {
 
-constexpr double kTurn = 6.28318530717958648;
 constexpr double kRadius = 0.3;         // m, of an intruder
 constexpr double kHeightApart = 0.5;    // m, from a start
 constexpr double kBeyond = 2.0;         // m, from the farthest start or goal, where an intruder turns back

@@ -186,11 +186,10 @@ bool Detector::explains(const Vec3& point, std::int64_t t, double room) const {
   constexpr double kLongest = 0.5;  // s between frame and measurement, and
   constexpr double kWidest = 1.0;   // m of error, beyond which tracks explain no hits
   return std::any_of(told_.begin(), told_.end(), [&](const tern::Track& track) {
-    const double s = 1e-9 * static_cast<double>(t - track.measured);
-    if (std::abs(s) > kLongest) return false;
-    const double age = std::abs(s);
-    const double error = track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
-    return surface_distance(track, expected_place(track, t), point) <= std::min(error, kWidest) + room;
+    const double age = std::abs(1e-9 * static_cast<double>(t - track.measured));
+    if (age > kLongest) return false;
+    return surface_distance(track, expected_place(track, t), point) <=
+           std::min(error_after(track, age), kWidest) + room;
   });
 }
 
@@ -201,10 +200,9 @@ bool Detector::meets(const Vec3& place, std::int64_t t) const {
   const auto is_met = [&](const tern::Track& track) {
     const double age = 1e-9 * static_cast<double>(t - track.measured);
     if (age < 0.0) return false;
-    const double error = track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
     const bool reaches = track.reach == 0.0 ||
                          surface_distance(track, track.position, place) <= track.error + track.reach * age + clearance;
-    return reaches && surface_distance(track, expected_place(track, t), place) <= error + clearance;
+    return reaches && surface_distance(track, expected_place(track, t), place) <= error_after(track, age) + clearance;
   };
   // Plans that are being made keep clear of what was forgotten since.
   const auto was_met = [&](const Forgotten& one) { return is_met(one.track); };

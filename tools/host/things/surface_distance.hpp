@@ -30,6 +30,11 @@ double surface_distance(const Shaped& thing, const tern::Vec3& center, const ter
   return distance_beyond(level, up);
 }
 
+/// By how much a track may be off after `age` s, without regard to its reach, m.
+inline double error_after(const tern::Track& track, double age) {
+  return track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
+}
+
 }  // namespace tern_host
 
 #endif

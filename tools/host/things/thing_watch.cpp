@@ -53,11 +53,10 @@ bool is_in_tube(const tern::Track& track, const Thing& thing, const tern::Vec3& 
   const double s = 1e-9 * static_cast<double>(t - track.measured);
   if (s < 0.0) return false;
   constexpr double kRounding = 1e-9;
-  const double error = track.error + track.error_speed * s + 0.5 * track.error_growth * s * s;
   const double moved = outside(track, thing, along(place, -1.0, track.position));
   const double off = outside(track, thing, along(place, -1.0, along(track.position, s, track.velocity)));
   const bool reaches = track.reach == 0.0 || moved <= track.error + track.reach * s + kRounding;
-  return off <= error + kRounding && reaches;
+  return off <= error_after(track, s) + kRounding && reaches;
 }
 
 ThingWatch::ThingWatch(const std::vector<Thing>& things, const std::vector<ThingMotion>& motions)
