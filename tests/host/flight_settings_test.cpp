@@ -113,6 +113,14 @@ TEST(FlightSettings, ObstaclesAppear) {
   EXPECT_EQ(refusal_of_world("appear 1 cylinder 4 0 0 3\n"), "'cylinder' needs x y z0 z1 r, found 4");
 }
 
+TEST(FlightSettings, FencesSayWhatTheyWereMadeFor) {
+  EXPECT_EQ(refusal_of_world("fences_within -5 -5 0 15 5 3 0.35\n"), "");
+  EXPECT_EQ(
+      refusal_of_world("fences_within -5 -5 0 15 5 3 0.35\npose_margin 0.2\n"),
+      "the fences were made for a clearance of 0.35 m, but body_radius + pose_margin + tracking_margin is 0.55 m: "
+      "zones may be missing. Make the fences again, with tern airspace --clearance 0.55");
+}
+
 TEST(FlightSettings, TheGoalMayLieInAnObstacleOrOutside) {
   const auto goal = [](const std::string& name, const std::string& place) {
     const tern_host::FlightWorld world = tern_host::read_flight_world(name, {"goal_place=" + place});

@@ -70,6 +70,26 @@ TEST(Scenario, ErrorsOfWholeScenariosNameTheRecord) {
   for (const Fault& fault : faults) EXPECT_EQ(error_of(kMinimal + fault.text), fault.message) << fault.text;
 }
 
+TEST(Scenario, FencesSayWhatTheyWereMadeFor) {
+  const std::string within = kMinimal + "fences_within 0 0 0 4 3 2 ";
+  EXPECT_EQ(error_of(within + "0.3\nradius 0.1\ntracking_margin 0.2\n"), "") << "the sum of doubles is more than 0.3";
+  EXPECT_EQ(
+      error_of(within + "0.3\nradius 0.2\ntracking_margin 0.2\n"),
+      "map.txt:4: the fences were made for a clearance of 0.3 m, but radius + tracking_margin is 0.4 m: zones may "
+      "be missing. Make the fences again, with tern airspace --clearance 0.4");
+  EXPECT_EQ(error_of(within + "0.3\n", {"radius=1.5"}).substr(0, 80),
+            "map.txt:4: the fences were made for a clearance of 0.3 m, but radius + tracking_");
+  EXPECT_EQ(
+      error_of(kMinimal + "fences_within 0 0 0 4 3 1.5 1\n"),
+      "map.txt:4: the fences were made for the boundary 0 0 0 4 3 1.5, but the boundary is 0 0 0 4 3 2: zones may "
+      "be missing. Make the fences again, with tern airspace --boundary 0 0 0 4 3 2");
+  EXPECT_EQ(error_of(kMinimal + "fences_within -1 -1 0 5 4 3 1\n"), "");
+  EXPECT_EQ(error_of(within + "1\n" + "fences_within 0 0 0 4 3 2 1\n"),
+            "map.txt:5: 'fences_within' is given twice (first in line 4)");
+  EXPECT_EQ(error_of(within + "\n"), "map.txt:4: 'fences_within' needs 7 numbers, a box and a clearance, found 6");
+  EXPECT_EQ(error_of(within + "-1\n"), "map.txt:4: the clearance of 'fences_within' must not be less than 0");
+}
+
 TEST(Scenario, TruncatedRightBeforeTheEndIsAnError) {
   EXPECT_EQ(error_of("boundary 0 0 0 1 1 1\nstart 0 0 0\ngoal 0 0"), "map.txt:3: 'goal' needs 3 numbers, found 2");
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verify/plan.hpp"
+#include "verify/world.hpp"
 
 namespace tern_verify {
 namespace {
@@ -55,6 +56,37 @@ std::string message(const std::string& text) {
     return error.what();
   }
   return "";
+}
+
+/// Why a scenario, or a flight's world, is refused.
+template <typename Read>
+std::string refusal(Read read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FenceCover, HoldsBoundaryAndClearance) {
+  const auto scenario = [](const std::string& more) {
+    return refusal([&] { parse_problem("boundary 0 0 0 4 3 2\nstart 1 1 1\ngoal 3 2 1\n" + more, "s.txt"); });
+  };
+  const auto world = [](const std::string& more, const std::vector<std::string>& settings = {}) {
+    return refusal([&] { parse_world("boundary 0 0 0 4 3 2\nstart 1 1 1\ngoal 3 2 1\n" + more, "w.txt", settings); });
+  };
+  const std::string less = "fences_within 0 0 0 4 3 2 0.3\n", low = "fences_within 0 0 0 4 3 1.5 1\n";
+  EXPECT_EQ(scenario(less + "radius 0.1\ntracking_margin 0.2\n"), "");
+  EXPECT_EQ(scenario(less + "radius 0.25\ntracking_margin 0.25\n"),
+            "s.txt:4: the fences were made for a clearance of 0.3 m, but the flight keeps 0.5 m: zones may be missing");
+  EXPECT_EQ(scenario(low),
+            "s.txt:4: the boundary reaches beyond the one that the fences were made for: zones may be missing");
+  EXPECT_EQ(scenario(less + less), "s.txt:5: 'fences_within' is given twice");
+  EXPECT_EQ(world("fences_within 0 0 0 4 3 2 0.35\n"), "") << "body_radius and tracking_margin as they are by default";
+  EXPECT_NE(world("fences_within 0 0 0 4 3 2 0.35\n", {"pose_margin=0.2"}).find("a clearance of 0.35 m"),
+            std::string::npos);
+  EXPECT_NE(world(low).find("w.txt:4: the boundary reaches beyond"), std::string::npos);
 }
 
 TEST(PlanFiles, WhatIsMissingIsNamed) {

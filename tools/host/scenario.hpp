@@ -7,9 +7,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/fence_cover.hpp"
 #include "host/fence_record.hpp"
 #include "host/text_records.hpp"
 #include "host/track_record.hpp"
@@ -61,7 +63,8 @@ struct Scenario {
   tern::Box boundary{};
   std::vector<Block> blocks;
   std::vector<FenceRecord> fences;
-  std::vector<FenceRecord> marked;  ///< keep-outs that are in the grid, as all voxels that they reach into
+  std::optional<FenceCover> fences_within;  ///< what the fences were made for, if the file says so
+  std::vector<FenceRecord> marked;          ///< keep-outs that are in the grid, as all voxels that they reach into
   std::vector<TrackRecord> tracks;
   double start_time = 0.0;  ///< when the plan begins
   double rest_clear = 0.0;  ///< for how long the plan's end must be clear of the tracks

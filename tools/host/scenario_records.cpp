@@ -84,6 +84,7 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   if (key == "block" || key == "keepout") return add_block(words, place);
   if (is_fence(key)) return add_fence_record(words, place);
   if (key == "via") return add_via(words, place);
+  if (key == "fences_within") return add_fence_cover(words, place);
   if (key == "octomap" || key == "cloud") return add_map_file(words, place);
   if (key == "yaw") {
     if (scenario_.has_yaw) throw ScenarioError(place, "'yaw' is given twice" + first_given(yaw_place_));
@@ -182,6 +183,12 @@ void ScenarioBuilder::add_fence_record(const std::vector<std::string>& words, co
     boxes_.push_back({"keepin", box_of(numbers(words, place), "keepin", place), place.line});
 }
 
+void ScenarioBuilder::add_fence_cover(const std::vector<std::string>& words, const Place& place) {
+  const auto& before = scenario_.fences_within;
+  if (before) throw ScenarioError(place, "'fences_within' is given twice" + first_given(before->place));
+  scenario_.fences_within = read_fence_cover(words, place);
+}
+
 /// Limits that are too low are the planner's to refuse.
 void ScenarioBuilder::check_yaw() const {
   for (const Setting& setting : settings_) {
@@ -261,7 +268,11 @@ Scenario ScenarioBuilder::finish(const Place& end, Ends ends) {
   complete_tracks(scenario_.start_time, scenario_.tracks);
   check_yaw();
   scenario_.resolution_place = find("resolution")->place;
-  refuse_empty_fences(scenario_.fences, scenario_.boundary, scenario_.radius + scenario_.tracking_margin);
+  const double clearance = scenario_.clearance();
+  if (scenario_.fences_within) {
+    check_fence_cover(*scenario_.fences_within, scenario_.boundary, clearance, "radius + tracking_margin");
+  }
+  refuse_empty_fences(scenario_.fences, scenario_.boundary, clearance);
   warn_of_records(boxes_, scenario_.boundary, reach_of(scenario_), scenario_.name, scenario_.warnings);
   return scenario_;
 }

@@ -58,6 +58,7 @@ class ScenarioBuilder {
   void add_map_file(const std::vector<std::string>& words, const Place& place);
   void add_via(const std::vector<std::string>& words, const Place& place);
   void add_timed_fence(const std::vector<std::string>& words, const Place& place);
+  void add_fence_cover(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
   void add_fence_record(const std::vector<std::string>& words, const Place& place);
   static void assign(Setting& setting, const std::vector<double>& values, const Place& place);

@@ -44,6 +44,22 @@ std::optional<Window> take_window(Record& record) {
   return window;
 }
 
+void require_cover(const Record& record, const Box& boundary, const Rational& clearance) {
+  const std::vector<Rational> v = record.numbers(1, 7);
+  const Box made_for = box_from(record, v);
+  // Numbers are the doubles next to decimals, so that sums may be off by a rounding.
+  const Rational touch = decimal(1, 9);
+  if (v[6] < 0) record.refuse("the clearance of 'fences_within' must not be less than 0");
+  if (clearance > v[6] + touch) {
+    record.refuse("the fences were made for a clearance of " + record.words[7] + " m, but the flight keeps " +
+                  text_above(clearance) + " m: zones may be missing");
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (boundary.lower[a] + touch >= made_for.lower[a] && boundary.upper[a] <= made_for.upper[a] + touch) continue;
+    record.refuse("the boundary reaches beyond the one that the fences were made for: zones may be missing");
+  }
+}
+
 bool is_fence(const std::string& key) {
   return kKeys.count(key) != 0;
 }

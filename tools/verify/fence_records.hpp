@@ -23,6 +23,10 @@ Fence fence_from(const Record& record);
 /// One of a flight's log.
 Fence fence_of(const Json& json);
 
+/// `fences_within`, a box and a clearance: zones farther from the box than that have no fences. Throws InputError where
+/// the boundary reaches beyond the box, or more is kept from obstacles than the clearance.
+void require_cover(const Record& record, const Box& boundary, const Rational& clearance);
+
 bool same(const Fence& a, const Fence& b);
 
 /// Adds to what the centre keeps from each keep-out.

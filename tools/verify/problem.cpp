@@ -40,6 +40,7 @@ const std::set<std::string> kSettings = {"start",
                                          "time_weight",
                                          "start_time",
                                          "rest_clear",
+                                         "fences_within",
                                          "search",
                                          "goal_mode",
                                          "yaw",
@@ -166,6 +167,8 @@ Problem parse_problem(const std::string& text, const std::string& name) {
   }
   apply(settings, problem);
   refuse_empty(problem.fences, fences, problem.boundary);
+  const Record* const cover = settings.record("fences_within");
+  if (cover != nullptr) require_cover(*cover, problem.boundary, problem.clearance);
   if (problem.unknown_is_solid && problem.octrees.empty()) {
     throw InputError(name + ": 'unknown solid' needs an 'octomap', which says what is free");
   }

@@ -109,6 +109,11 @@ Point Settings::limit(const std::string& key, const Rational& otherwise) const {
   return point_from(found->second.numbers(1, 3));
 }
 
+const Record* Settings::record(const std::string& key) const {
+  const auto found = given_.find(key);
+  return found == given_.end() ? nullptr : &found->second;
+}
+
 std::string Settings::word(const std::string& key) const {
   const auto found = given_.find(key);
   return found != given_.end() && found->second.words.size() == 2 ? found->second.words[1] : "";

@@ -49,6 +49,8 @@ class Settings {
   Point limit(const std::string& key, const Rational& otherwise) const;
   /// The record's one word; empty if it is not given, or has others.
   std::string word(const std::string& key) const;
+  /// Null if it is not given.
+  const Record* record(const std::string& key) const;
 
  private:
   std::map<std::string, Record> given_;

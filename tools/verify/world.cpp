@@ -81,7 +81,7 @@ void set(const Record& record, World& world) {
   }
 }
 
-void add(const Record& record, Point& goal, World& world) {
+void add(const Record& record, Point& goal, World& world, std::vector<Record>& covers) {
   const std::string& key = record.key();
   if (is_setting(key)) {
     set(record, world);
@@ -93,6 +93,8 @@ void add(const Record& record, Point& goal, World& world) {
     world.cylinders.push_back(cylinder_from(record));
   } else if (is_fence(key)) {
     world.fences.push_back(fence_from(record));
+  } else if (key == "fences_within") {
+    covers.push_back(record);
   } else if (key == "start") {
     world.start = point_from(record.numbers(1, 3));
   } else if (key == "goal") {
@@ -163,9 +165,9 @@ World parse_world(const std::string& text, const std::string& name, const std::v
   world.settings = kDefaults;
   world.tracking = "bounded";
   Point goal{0, 0, 0};
-  std::vector<Record> fences;
+  std::vector<Record> fences, covers;
   for (const Record& record : records_of(text, name)) {
-    add(record, goal, world);
+    add(record, goal, world, covers);
     if (world.fences.size() > fences.size()) fences.push_back(record);
   }
   for (const std::string& setting : overrides) set(override_from(setting), world);
@@ -174,6 +176,9 @@ World parse_world(const std::string& text, const std::string& name, const std::v
     if (world.boundary.lower[a] >= world.boundary.upper[a]) throw InputError(name + ": there is no boundary");
   }
   refuse_empty(world.fences, fences, world.boundary);
+  const Rational clearance =
+      world.setting("body_radius") + world.setting("pose_margin") + world.setting("tracking_margin");
+  for (const Record& cover : covers) require_cover(cover, world.boundary, clearance);
   const bool is_storey = world.boundary.upper[2] - world.boundary.lower[2] <= kStorey;
   world.settings.emplace("cell", is_storey ? 0.1 : 0.2);
   return world;

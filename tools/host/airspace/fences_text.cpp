@@ -83,8 +83,12 @@ std::string fences_text(const Airspace& airspace) {
                      degrees(airspace.origin.point.longitude, 'E', 'W');
   text += airspace.knows_height ? ", " + fixed(airspace.origin.height, 3) + " m above the WGS84 ellipsoid\n" : "\n";
   if (airspace.settings.epoch) text += "# The clock is 0 at " + instant_text(*airspace.settings.epoch) + "\n";
-  text += "# For radius + tracking_margin up to " + shortest(airspace.settings.fit.clearance) + " m\n";
-  text += "boundary " + xyz(b.lower) + " " + xyz(b.upper) + "\n";
+  std::string corners;
+  for (const double v : {b.lower.x, b.lower.y, b.lower.z, b.upper.x, b.upper.y, b.upper.z})
+    corners += " " + shortest(v);
+  text += "boundary" + corners + "\n";
+  text += "fences_within" + corners + " " + shortest(airspace.settings.fit.clearance) +
+          "  # the boundary, and radius + tracking_margin up to which these are all the fences\n";
   for (const AirspaceEntry& entry : airspace.entries) {
     if (entry.left_out.empty()) text += entry_text(entry, airspace.settings);
   }

@@ -157,6 +157,8 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
                                    std::to_string(tern::kMaxFences) + ", TERN_MAX_FENCE_PLANES " +
                                    std::to_string(tern::kMaxFencePlanes) + ")");
     }
+  } else if (key == "fences_within") {
+    world.fences_within = read_fence_cover(words, place);
   } else if (key == "start") {
     world.start = vector(words, place);
     world.places.start = place;
@@ -262,6 +264,10 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   const tern::Box& b = world.boundary;
   if (!(b.upper.x > b.lower.x && b.upper.y > b.lower.y && b.upper.z > b.lower.z)) {
     throw RecordError(end, "there is no boundary");
+  }
+  if (world.fences_within) {
+    check_fence_cover(*world.fences_within, b, radius_of(world.settings),
+                      "body_radius + pose_margin + tracking_margin");
   }
   refuse_empty_fences(world.fences, b, world.settings.body_radius + world.settings.tracking_margin);
   check_fov(world.settings, {path, 0});

@@ -6,9 +6,11 @@
 #define TERN_HOST_FLIGHT_FLIGHT_WORLD_HPP
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/fence_cover.hpp"
 #include "host/fence_record.hpp"
 #include "host/flight/sensor_mount.hpp"
 #include "host/things/thing.hpp"
@@ -181,7 +183,8 @@ struct FlightWorld {
   tern::Cylinder column{};  ///< as for RollingMap::assume_column(), for a start on the ground; a radius of 0: none
   GoalOnGround landing;
   std::vector<FenceRecord> fences;
-  std::vector<tern::Via> vias;  ///< points to pass on the way to the goal
+  std::optional<FenceCover> fences_within;  ///< what the fences were made for, if the file says so
+  std::vector<tern::Via> vias;              ///< points to pass on the way to the goal
   tern::ViaPolicy via_policy = tern::ViaPolicy::kEnd;
   FlightSettings settings;
   PointPlaces places;
