@@ -1,22 +1,26 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the work of a plan grows: with the cells of the map, with vias, with legs, and with things that move. Counts
-// units, which are the same on every machine. tools/bench scale runs it; bench/scale_plot.py draws its table.
+// How the work of a plan grows: with the cells of the map, with vias, with legs, and with things that move; and far
+// ways through a city. Counts units, which are the same on every machine. tools/bench scale runs it;
+// bench/scale_plot.py draws its table.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host/session.hpp"
 #include "quantile.hpp"
 #include "support/random.hpp"
+#include "tern/far_way.hpp"
 
 namespace {
 
+using tern::Vec3;
 using tern_bench::quantile;
 using tern_host::PlanResult;
 using tern_host::Scenario;
@@ -46,7 +50,7 @@ Scenario columns(double edge, Random& random) {
   scenario.boundary = {{0.0, 0.0, 0.0}, {edge, edge, kHeight}};
   scenario.start.position = {1.0, 1.0, 0.5 * kHeight};
   scenario.goal.position = {edge - 1.0, edge - 1.0, 0.5 * kHeight};
-  const auto is_near = [](double x, double y, const tern::Vec3& end) {
+  const auto is_near = [](double x, double y, const Vec3& end) {
     return std::fabs(x + 0.5 - end.x) < 1.2 && std::fabs(y + 0.5 - end.y) < 1.2;
   };
   const int count = static_cast<int>(kDensity * edge * edge);
@@ -142,9 +146,9 @@ void over_vias(tern_host::Session& session, const Options& options, std::ofstrea
 }
 
 /// A ball that crosses the world of columns in a straight line. It is not at the start in the first seconds.
-tern_host::TrackRecord ball(double edge, const tern::Vec3& start, Random& random) {
+tern_host::TrackRecord ball(double edge, const Vec3& start, Random& random) {
   tern_host::TrackRecord thing;
-  tern::Vec3& place = thing.track.position;
+  Vec3& place = thing.track.position;
   do {
     place = {random.real(0.0, edge), random.real(0.0, edge), random.real(0.5, kHeight - 0.5)};
   } while (std::hypot(place.x - start.x, place.y - start.y) < 5.0);
@@ -177,6 +181,102 @@ void over_walls(tern_host::Session& session, std::ofstream& csv) {
   }
 }
 
+// A city of 5 x 5 x 0.15 km: blocks of 60 m, streets of 20 m, and four in ten of them built over for the length of a
+// block.
+constexpr double kCityEdge = 5000.0;
+constexpr double kCityHeight = 150.0;
+constexpr double kBlock = 60.0;
+constexpr double kStreet = 20.0;
+constexpr int kWays = 300;
+constexpr int kRuns = 3;  ///< of each; the least time counts
+const double kCityCells[] = {16.0, 8.0, 4.0};
+
+struct City {
+  double low, high;  ///< roofs, metres
+  double ceiling;    ///< of the flight
+};
+const City kCities[] = {{15.0, kCityHeight, kCityHeight}, {15.0, kCityHeight, 60.0}, {45.0, kCityHeight, 40.0}};
+
+void build(const City& city, tern::Grid& grid) {
+  Random random(1);
+  for (double x = kStreet; x + kBlock < kCityEdge; x += kBlock + kStreet) {
+    for (double y = kStreet; y + kBlock < kCityEdge; y += kBlock + kStreet) {
+      const double roof = random.real(city.low, city.high);
+      const bool east = random.chance(0.2);
+      const bool north = random.chance(0.2);
+      grid.mark_box({{x, y, 0.0}, {x + kBlock, y + kBlock, roof}});
+      if (east) grid.mark_box({{x + kBlock, y, 0.0}, {x + kBlock + kStreet, y + kBlock, roof}});
+      if (north) grid.mark_box({{x, y + kBlock, 0.0}, {x + kBlock, y + kBlock + kStreet, roof}});
+    }
+  }
+  grid.inflate();
+}
+
+double milliseconds_since(std::uint64_t begin) {
+  const tern_host::Clock clock = tern_host::platform_clock();
+  return 1e3 * static_cast<double>(clock.read(clock.context) - begin) / clock.ticks_per_second;
+}
+
+/// A point in the city above no roof: half of them in the streets.
+Vec3 free_point(const tern::Grid& grid, const City& city, Random& random) {
+  for (;;) {
+    const double top = random.chance(0.5) ? 20.0 : city.ceiling;
+    const Vec3 at{random.real(0.0, kCityEdge), random.real(0.0, kCityEdge), random.real(2.0, top)};
+    if (grid.free(grid.voxel_of(grid.to_local(at)))) return at;
+  }
+}
+
+/// Units to the way; `least` becomes the milliseconds that it took, if they are less.
+double find_way(const Vec3& start, const Vec3& goal, tern::Grid& grid, tern::Planner& planner, tern::FarWay& far,
+                double& least) {
+  far.start({100.0}, grid, planner);
+  far.set_goal(goal);
+  const tern_host::Clock clock = tern_host::platform_clock();
+  const std::uint64_t begin = clock.read(clock.context);
+  double spent = 0.0;
+  for (; far.state() == tern::FarState::kSearching; spent += 100.0) far.tick(start, false, {}, 0, 100);
+  least = std::min(least, milliseconds_since(begin));
+  return spent;
+}
+
+/// Far ways through the coarse grid, the first one from corner to corner.
+void over_city(double cell, const City& city) {
+  const auto across = static_cast<std::int32_t>(std::ceil(kCityEdge / cell));
+  const tern::Voxel dims{across, across, static_cast<std::int32_t>(std::ceil(kCityHeight / cell))};
+  const tern::GridSpec spec{
+      {0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {kCityEdge, kCityEdge, city.ceiling}}, 0.0, 0.0};
+  std::vector<std::uint64_t> words(tern::grid_words(dims));
+  const auto memory = std::make_unique<tern::Workspace>();
+  tern::Planner planner(memory.get(), sizeof *memory);
+  tern::Grid grid;
+  if (grid.bind(spec, words.data(), words.size()) != tern::Status::kOk) return;
+  build(city, grid);
+  Random random(2);
+  std::vector<double> units, times;
+  int found = 0;
+  double longest = 0.0;
+  for (int k = 0; k < kWays; ++k) {
+    const Vec3 start = k == 0 ? Vec3{5.0, 5.0, 10.0} : free_point(grid, city, random);
+    const Vec3 goal = k == 0 ? Vec3{kCityEdge - 5.0, kCityEdge - 5.0, 10.0} : free_point(grid, city, random);
+    tern::FarWay far;
+    double least = 1e9;
+    double spent = 0.0;
+    for (int run = 0; run < kRuns; ++run) {
+      spent = find_way(start, goal, grid, planner, far, least);
+    }
+    times.push_back(least);
+    units.push_back(spent);
+    found += far.state() == tern::FarState::kLeads ? 1 : 0;
+    longest = std::max(longest, far.left());
+  }
+  std::printf(
+      "city, roofs %.0f to %.0f m, ceiling %.0f m, cells of %.0f m: %.2g of them, %.1f MB; %d of %d ways, %.1f km "
+      "at most; units %.0f, %.0f at most; ms %.2f, %.2f at most\n",
+      city.low, city.high, city.ceiling, cell, static_cast<double>(across) * across * dims.z,
+      8e-6 * static_cast<double>(words.size()), found, kWays, 1e-3 * longest, quantile(units, 0.5),
+      quantile(units, 1.0), quantile(times, 0.5), quantile(times, 1.0));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -193,5 +293,8 @@ int main(int argc, char** argv) {
   over_vias(session, options, csv);
   over_walls(session, csv);
   over_things(session, options, csv);
+  for (const City& city : kCities) {
+    for (const double cell : kCityCells) over_city(cell, city);
+  }
   return 0;
 }

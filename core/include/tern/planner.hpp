@@ -111,6 +111,11 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
+  friend class FarWay;
+
+  /// As begin_route() for a request without vias, but the path ends with the search: it has no waypoints, and as many
+  /// turns as Path::raw holds.
+  Status begin_way(const Grid& grid, const Request& request) noexcept;
   Status begin_query(const Grid& grid, const Request& request, const PlanMode& mode) noexcept;
   Status close(bool is_route, Report& report) noexcept;
   Status refuse(Report& report) noexcept;

@@ -10,6 +10,7 @@
 #ifndef TERN_TERN_HPP
 #define TERN_TERN_HPP
 
+#include "tern/far_way.hpp"
 #include "tern/flatness.hpp"
 #include "tern/fleet.hpp"
 #include "tern/flight.hpp"

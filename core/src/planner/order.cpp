@@ -70,7 +70,7 @@ void Pipeline::go_on(bool done) noexcept {
       legs_.leg = problem_.via_count;
       return give_up();
     case Stage::kSearch:
-      return done ? enter(Stage::kShortcut) : fail(Stage::kSearch, legs_.status);
+      return go_on_from_search(done);
     case Stage::kShortcut:
       return go_on_from_shortcut(done);
     case Stage::kCorridor:
@@ -99,13 +99,21 @@ void Pipeline::go_on(bool done) noexcept {
   }
 }
 
+void Pipeline::go_on_from_search(bool done) noexcept {
+  if (!done) return fail(Stage::kSearch, legs_.status);
+  if (wanted_ != Asked::kWay) return enter(Stage::kShortcut);
+  results_.path = true;
+  memory_->path.count = 0;
+  end(Stage::kSearch, Status::kOk);
+}
+
 void Pipeline::go_on_from_shortcut(bool done) noexcept {
   if (!done) return choose_again(legs_.status, legs_) ? begin_way() : fail(Stage::kShortcut, legs_.status);
   results_.path = is_last_leg(problem_, legs_);
   if (!results_.path) {
     ++legs_.leg;
     enter(Stage::kSearch);
-  } else if (route_only_) {
+  } else if (wanted_ == Asked::kRoute) {
     end(Stage::kShortcut, Status::kOk);
   } else {
     enter(Stage::kCorridor);

@@ -91,7 +91,7 @@ Status Pipeline::end(Stage stage, Status status) noexcept {
 Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode& mode, const Clock& clock) noexcept {
   Layout* const memory = memory_;
   new (this) Pipeline(*memory);  // in place: it is too large for the stack
-  route_only_ = mode.route_only;
+  wanted_ = mode.wanted;
   ledger_.clear(clock);
   failure_.via = kNoVia;
   problem_.grid = &grid;

@@ -31,9 +31,16 @@ struct Results {
   bool corridor;
 };
 
+/// What is asked for.
+enum class Asked : std::uint8_t {
+  kPlan,
+  kRoute,  ///< the path
+  kWay,    ///< the raw path, without vias
+};
+
 /// How a request is to be planned.
 struct PlanMode {
-  bool route_only = false;           ///< the path is the result
+  Asked wanted = Asked::kPlan;
   const Trajectory* pace = nullptr;  ///< a plan that sets the pace, for a request without a previous plan; null: none
   double pace_time = 0.0;            ///< when that plan passes the start, s since its beginning
   bool must_beat = false;            ///< only a plan that is better than what is left of it is of use
@@ -73,6 +80,7 @@ class Pipeline {
   void begin_attempts() noexcept;
   void begin_way() noexcept;
   void go_on(bool done) noexcept;
+  void go_on_from_search(bool done) noexcept;
   void go_on_from_shortcut(bool done) noexcept;
   void go_on_from_corridor(bool done) noexcept;
   void go_on_from_trajectory(bool done) noexcept;
@@ -103,7 +111,7 @@ class Pipeline {
   double entered() const noexcept { return follows() ? problem_.asked.previous_time : 0.0; }
 
   Layout* memory_;
-  bool route_only_ = false;
+  Asked wanted_ = Asked::kPlan;
   Problem problem_{};
   RequestFault fault_{};
   Stage stage_ = Stage::kRequest;             // the current one

@@ -19,6 +19,15 @@ Layout* align(void* memory, std::size_t bytes) {
   return reinterpret_cast<Layout*>(static_cast<unsigned char*>(memory) + (aligned - address));
 }
 
+/// A route has no trajectory, so the motion of its ends does not matter.
+Request between_rests(const Request& request) {
+  Request still = request;
+  still.start = {request.start.position, kZero, kZero};
+  still.goal = {request.goal.position, kZero, kZero};
+  still.previous = nullptr;
+  return still;
+}
+
 /// The most steps of one call of plan(). Each step may spend 2^32 - 1 units, and every stage is bounded far below that.
 constexpr int kMaxSteps = 16;
 
@@ -48,7 +57,7 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
 
 Status Planner::begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time,
                       bool must_beat) noexcept {
-  return begin_query(grid, request, {false, &pace, pace_time, must_beat});
+  return begin_query(grid, request, {Asked::kPlan, &pace, pace_time, must_beat});
 }
 
 Status Planner::route(const Grid& grid, const Request& request, Report& report) noexcept {
@@ -57,13 +66,12 @@ Status Planner::route(const Grid& grid, const Request& request, Report& report) 
   return finish_route(report);
 }
 
-/// A route has no trajectory, so the motion of its ends does not matter.
 Status Planner::begin_route(const Grid& grid, const Request& request) noexcept {
-  Request still = request;
-  still.start = {request.start.position, kZero, kZero};
-  still.goal = {request.goal.position, kZero, kZero};
-  still.previous = nullptr;
-  return begin_query(grid, still, {true});
+  return begin_query(grid, between_rests(request), {Asked::kRoute});
+}
+
+Status Planner::begin_way(const Grid& grid, const Request& request) noexcept {
+  return begin_query(grid, between_rests(request), {Asked::kWay});
 }
 
 Status Planner::begin_query(const Grid& grid, const Request& request, const PlanMode& mode) noexcept {
@@ -71,7 +79,7 @@ Status Planner::begin_query(const Grid& grid, const Request& request, const Plan
   if (refused_) return Status::kInvalidArgument;
   PlannerCalls& calls = memory_->calls;
   calls.begun = true;
-  calls.is_route = mode.route_only;
+  calls.is_route = mode.wanted != Asked::kPlan;
   calls.slice = Work{};
   return memory_->pipeline.begin(grid, request, mode, calls.clock);
 }

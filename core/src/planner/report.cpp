@@ -49,7 +49,7 @@ HighWater high_water(const Legs& legs, const Rooms& rooms, const Curves& curves,
 
 void Pipeline::write(Report& report) const noexcept {
   report = Report{};
-  const bool planned = status_ == Status::kOk && !route_only_;
+  const bool planned = status_ == Status::kOk && wanted_ == Asked::kPlan;
   report.status = status_;
   report.stage = ended_in_;
   report.field = fault_.field;

@@ -1,0 +1,24 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A cell of a coarse grid against what a rolling map saw.
+#ifndef TERN_FLIGHT_FAR_CELL_HPP
+#define TERN_FLIGHT_FAR_CELL_HPP
+
+#include "base/work.hpp"
+#include "grid/bit_rows.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// True if the near grid has an obstacle whose voxel's centre is in the cell of the coarse grid, and the coarse grid
+/// does not explain it: voxels next to a marked cell, or to the coarse grid's rim, show what is marked there, off by
+/// the errors of a sensor. Both grids must be bound.
+bool shows_more(const Grid& coarse, const Grid& near, const Voxel& cell, Work& work) noexcept;
+
+/// The cells of the coarse grid on one axis that the near grid meets.
+IndexRange cells_met(const Grid& coarse, const Grid& near, int a) noexcept;
+
+}  // namespace tern
+
+#endif

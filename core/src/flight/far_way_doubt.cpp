@@ -1,0 +1,114 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// When a far way is given up. The rolling map sees finely, and a Flight finds ways that a coarse grid cannot know. So
+// what it sees counts only once the vehicle gets no further: then the coarse grid learns it, and a new way is sought.
+#include "base/math.hpp"
+#include "base/work.hpp"
+#include "flight/far_cell.hpp"
+#include "grid/lattice.hpp"
+#include "map/grid_words.hpp"
+#include "tern/far_way.hpp"
+
+namespace tern {
+namespace {
+
+/// Within so many coarse cells of the end of the way, the near map alone decides.
+constexpr double kAtEnd = 2.0;
+/// Steps of a walk along the way, in coarse cells.
+constexpr double kMarkStep = 0.5;
+
+/// False while the window slides, too.
+bool has_grid(const RollingMap& map) {
+  return map.bound() && map.route().bound();
+}
+
+/// Nanoseconds from one time to a later one, for any two.
+std::uint64_t between(std::int64_t from, std::int64_t to) {
+  return to > from ? static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from) : 0;
+}
+
+}  // namespace
+
+/// True if the near goal is a new one.
+bool FarWay::follow(bool gave_up, const RollingMap& map, std::int64_t t) noexcept {
+  if (state_ != FarState::kLeads) return false;
+  get_on(t);
+  const bool has_time = between(since_, t) < static_cast<std::uint64_t>(spec_.patience);
+  const bool is_stuck = gave_up && !is_last_;
+  const bool is_doubtful = is_stuck || (!has_time && left() > kAtEnd * coarse_->spec().cell);
+  if (!is_doubtful || !has_grid(map)) return choose_near_goal();
+  since_ = t;
+  begin_learning(is_stuck, map);
+  return false;
+}
+
+void FarWay::begin_learning(bool gave_up, const RollingMap& map) noexcept {
+  gave_up_ = gave_up;
+  found_ = 0;
+  bool is_empty = false;
+  for (int a = 0; a < 3; ++a) {
+    const IndexRange met = cells_met(*coarse_, map.route(), a);
+    axis(begin_, a) = met.begin;
+    axis(end_, a) = met.end;
+    is_empty = is_empty || met.begin >= met.end;
+  }
+  cell_ = begin_;
+  if (is_empty) cell_.z = end_.z;
+  job_ = Job::kLearn;
+}
+
+/// Goes through the coarse cells that the window met. A piece is a cell. While the window slides, it waits.
+void FarWay::learn(const RollingMap& map) noexcept {
+  while (cell_.z < end_.z && has_grid(map) && work_.left()) {
+    if (!coarse_->obstacle(cell_) && shows_more(*coarse_, map.route(), cell_, work_)) {
+      coarse_->mark_voxel(cell_);
+      ++found_;
+    }
+    if (++cell_.x < end_.x) continue;
+    cell_.x = begin_.x;
+    if (++cell_.y < end_.y) continue;
+    cell_.y = begin_.y;
+    ++cell_.z;
+  }
+}
+
+/// True if nothing can be learned, and only the goal is left to fly to.
+bool FarWay::end_learning() noexcept {
+  if (found_ == 0 && gave_up_) mark_ahead();
+  marked_ += found_;
+  piece_ = 0;
+  job_ = found_ > 0 ? Job::kInflate : Job::kFollow;
+  return found_ == 0 && gave_up_ && lead_to_goal(FarState::kNoWay);
+}
+
+/// The vehicle has given up, and the near map does not say why: the first cell of the way that it is not in leads
+/// nowhere.
+void FarWay::mark_ahead() noexcept {
+  const Path& way = path();
+  const Voxel here = coarse_->voxel_of(coarse_->to_local(position_));
+  const double step = kMarkStep * coarse_->spec().cell;
+  Vec3 from = place_;
+  for (std::int32_t leg = leg_; leg + 1 < way.raw_count; ++leg) {
+    const Vec3 along = way.raw[leg + 1] - from;
+    const std::int32_t steps = ceil_index(length(along) / step, 1, 4 * kMaxDimension);
+    for (std::int32_t k = 1; k <= steps; ++k) {
+      const Voxel cell = coarse_->voxel_of(from + (static_cast<double>(k) / steps) * along);
+      const bool is_here = cell.x == here.x && cell.y == here.y && cell.z == here.z;
+      if (is_here || !coarse_->free(cell)) continue;
+      coarse_->mark_voxel(cell);
+      found_ = 1;
+      return;
+    }
+    from = way.raw[leg + 1];
+  }
+}
+
+/// Then the search begins.
+void FarWay::inflate() noexcept {
+  const std::int32_t pieces = GridWords::inflation_pieces(coarse_->spec().dims);
+  for (; piece_ < pieces && work_.left(); ++piece_) GridWords(*coarse_).inflate_piece(piece_, work_);
+  if (piece_ == pieces) job_ = Job::kBegin;
+}
+
+}  // namespace tern
