@@ -90,6 +90,24 @@ TEST(Scenario, FencesSayWhatTheyWereMadeFor) {
   EXPECT_EQ(error_of(within + "-1\n"), "map.txt:4: the clearance of 'fences_within' must not be less than 0");
 }
 
+TEST(Scenario, FramesAreOnTheEarth) {
+  const tern_host::Scenario scenario =
+      tern_host::parse_scenario(kMinimal + "frame -47.5 8.25\nepoch 2026-03-02T09:00:00+01:00\n", "map.txt");
+  EXPECT_EQ(scenario.earth.origin->latitude, -47.5);
+  EXPECT_EQ(scenario.earth.origin->longitude, 8.25);
+  EXPECT_FALSE(scenario.earth.height.has_value());
+  EXPECT_EQ(scenario.earth.epoch, "2026-03-02T09:00:00+01:00");
+  const Fault faults[] = {
+      {"frame 98 8\n", "map.txt:4: the latitude 98 is beyond 90 degrees; it comes before the longitude"},
+      {"frame 8 361\n", "map.txt:4: the longitude 361 is beyond 360 degrees"},
+      {"frame 8\n", "map.txt:4: 'frame' needs latitude, longitude and maybe a height, found 1"},
+      {"frame 1 2\nframe 1 2\n", "map.txt:5: 'frame' is given twice"},
+      {"epoch 2026-03-02\n", "map.txt:4: 'epoch' must be like 2026-03-01T09:30:00Z, with a time zone"},
+      {"epoch 2026-03-02T09:00:00Z\nepoch 2026-03-02T09:00:00Z\n", "map.txt:5: 'epoch' is given twice"},
+  };
+  for (const Fault& fault : faults) EXPECT_EQ(error_of(kMinimal + fault.text), fault.message) << fault.text;
+}
+
 TEST(Scenario, TruncatedRightBeforeTheEndIsAnError) {
   EXPECT_EQ(error_of("boundary 0 0 0 1 1 1\nstart 0 0 0\ngoal 0 0"), "map.txt:3: 'goal' needs 3 numbers, found 2");
 }

@@ -26,7 +26,7 @@ UtmEntity intent() {
   settings.epoch = *tern_host::parse_instant("2026-03-01T12:00:00Z");
   settings.longest = 15.0;
   const tern_host::TimedPath path{
-      "p", {straight(0, 10, {0, 0, 0}, {0, 0, 50}), straight(10, 30, {0, 0, 50}, {100, 30, 50})}, 0.5};
+      "p", {straight(0, 10, {0, 0, 0}, {0, 0, 50}), straight(10, 30, {0, 0, 50}, {100, 30, 50})}, 0.5, {}};
   UtmEntity e;
   e.id = "2f8343be-6482-4d1b-a474-16847e01af1e";
   e.manager = "uss1";

@@ -43,7 +43,7 @@ inline tern::Vec3 position(const PathPiece& piece, double t) {
 
 /// Some segments of up to 30 s and 150 m, some of them rests or climbs, up to 10 km from the origin.
 inline TimedPath random_path(Random& random) {
-  TimedPath path{"random", {}, random.real(0.1, 5.0)};
+  TimedPath path{"random", {}, random.real(0.1, 5.0), {}};
   const double far = random.chance(0.5) ? 500.0 : 7000.0;
   tern::Vec3 at{random.real(-far, far), random.real(-far, far), random.real(0.0, 100.0)};
   double begin = random.real(-5.0, 50.0);

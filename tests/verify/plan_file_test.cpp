@@ -123,6 +123,8 @@ TEST(PlanFiles, ThePlanWasMadeForTheScenario) {
     return said.rfind(head, 0) == 0 ? said.substr(head.size(), said.size() - head.size() - 1) : said;
   };
   EXPECT_EQ(differs("/resolution", 0.1), "resolution");
+  EXPECT_EQ(differs("/frame", {{"latitude", 47.366}, {"longitude", 8.54}}), "frame");
+  EXPECT_EQ(differs("/frame", {{"epoch", "2026-03-02T09:00:00Z"}}), "frame");
   EXPECT_EQ(differs("/robot_radius", 0.01), "robot_radius");
   EXPECT_EQ(differs("/tracking_margin", 0.0), "tracking_margin");
   EXPECT_EQ(differs("/limits/v_max/0", 20.0), "limits");

@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "host/atomic_file.hpp"
 #include "host/flight/family_scenario.hpp"
 #include "host/intent/conflicts.hpp"
+#include "host/intent/intent_frame.hpp"
 #include "host/intent/intent_json.hpp"
 #include "host/intent/intent_operator.hpp"
 #include "host/intent/intent_text.hpp"
@@ -29,8 +31,10 @@ struct IntentOptions {
   std::vector<std::string> operators;
   std::vector<std::string> overrides;
   std::vector<double> origin;
-  double height = 0.0;
-  std::string epoch;
+  double height = NAN;
+  double height_amsl = NAN;
+  double undulation = NAN;
+  tern_host::ToldFrame told;
   double rest = 0.0;
   tern_host::TubeSettings tube;
   double longest_delay = 3600.0;
@@ -39,6 +43,17 @@ struct IntentOptions {
   std::string json;
   std::string plan_json;
 };
+
+void check_frame(IntentOptions& options) {
+  tern_host::EarthFrame& frame = options.told.frame;
+  if (!options.origin.empty()) frame.origin = tern_host::EarthOrigin{options.origin[0], options.origin[1]};
+  if (!std::isnan(options.height)) frame.height = options.height;
+  if (!std::isnan(options.height_amsl)) options.told.heights.origin_sea_level = options.height_amsl;
+  if (!std::isnan(options.undulation)) options.told.heights.undulation = options.undulation;
+  if (!frame.epoch.empty() && !tern_host::parse_instant(frame.epoch)) {
+    throw std::runtime_error("--epoch must be like 2026-03-01T09:30:00Z, with a time zone");
+  }
+}
 
 void check_options(IntentOptions& options) {
   const int given =
@@ -53,9 +68,7 @@ void check_options(IntentOptions& options) {
   if (!options.operators.empty() && !options.intent.id.empty()) {
     throw std::runtime_error("--operators names each intent after its scenario's file: leave out --id");
   }
-  const auto epoch = tern_host::parse_instant(options.epoch);
-  if (!epoch) throw std::runtime_error("--epoch must be like 2026-03-01T09:30:00Z, with a time zone");
-  options.tube.epoch = *epoch;
+  check_frame(options);
   if (!(options.rest >= 0.0 && options.rest <= 86400.0)) throw std::runtime_error("--rest must be 0 to 86400 s");
   if (!(options.longest_delay >= 0.0 && options.longest_delay <= 1e6)) {
     throw std::runtime_error("--longest-delay must be 0 to 1000000 s");
@@ -88,43 +101,66 @@ std::string summary(const std::vector<tern_host::Conflict>& conflicts, std::size
 }
 
 int report(const IntentOptions& options, const tern_host::UtmEntity& intent,
-           const std::vector<tern_host::UtmEntity>& others, const tern_host::LocalFrame& frame,
+           const std::vector<tern_host::UtmEntity>& others, const tern_host::ZoneHeights& heights,
            std::vector<tern_host::Output> outputs) {
-  const std::vector<tern_host::Conflict> conflicts = tern_host::conflicts_of(intent, others, frame);
+  const std::vector<tern_host::Conflict> conflicts = tern_host::conflicts_of(intent, others, heights.frame());
   if (!options.json.empty()) outputs.push_back({options.json, tern_host::intent_json(intent)});
   tern_host::write_files(outputs);
-  std::fputs(tern_host::volumes_text(intent).c_str(), stdout);
+  std::fputs(tern_host::volumes_text(intent, heights).c_str(), stdout);
   std::fputs(tern_host::conflicts_text(conflicts, others).c_str(), stdout);
   std::fputs(summary(conflicts, others.size()).c_str(), stdout);
   return tern_host::has_binding(conflicts) ? kExitNoPlan : kExitOk;
 }
 
-int show_plan(IntentOptions& options, const std::vector<tern_host::UtmEntity>& others,
-              const tern_host::LocalFrame& frame) {
+/// The frame of options and file; the epoch goes to the settings of volumes.
+tern_host::IntentFrame frame_of(IntentOptions& options, const tern_host::EarthFrame& in_file, const std::string& file) {
+  tern_host::IntentFrame frame = tern_host::intent_frame(options.told, in_file, file);
+  options.tube.epoch = frame.epoch;
+  return frame;
+}
+
+int show_plan(IntentOptions& options) {
+  std::vector<std::string> inputs = options.others;
+  inputs.push_back(options.plan);
+  check_output_paths(inputs, {options.json});
   tern_host::TimedPath path = tern_host::read_timed_path(options.plan);
+  const tern_host::IntentFrame frame = frame_of(options, path.earth, options.plan);
   if (options.rest > 0.0) path = tern_host::with_rest(path, options.rest);
-  options.intent.volumes = tern_host::tube_volumes(path, frame, options.tube);
-  return report(options, options.intent, others, frame, {});
+  options.intent.volumes = tern_host::tube_volumes(path, frame.heights.frame(), options.tube);
+  return report(options, options.intent, read_others(options.others), frame.heights, {});
 }
 
 /// Plans, and gives way where that must be.
-int show_scenario(const IntentOptions& options, const tern_host::Scenario& scenario,
-                  const std::vector<tern_host::UtmEntity>& others, const tern_host::LocalFrame& frame) {
+int show_scenario(IntentOptions& options) {
+  const tern_host::Scenario scenario = tern_host::named_scenario(options.scenario, options.overrides);
+  print_warnings(scenario.warnings);
+  std::vector<std::string> inputs = options.others;
+  for (const std::string& path : tern_host::input_paths(scenario)) inputs.push_back(path);
+  check_output_paths(inputs, {options.json, options.plan_json});
+  const tern_host::IntentFrame frame = frame_of(options, scenario.earth, options.scenario);
+  const std::vector<tern_host::UtmEntity> others = read_others(options.others);
   tern_host::Session session;
-  const std::vector<tern_host::Proposal> proposals = tern_host::proposals_of(
-      session, scenario, options.intent, others, frame, {options.tube, options.rest, options.longest_delay});
+  const std::vector<tern_host::Proposal> proposals =
+      tern_host::proposals_of(session, scenario, options.intent, others, frame.heights.frame(),
+                              {options.tube, options.rest, options.longest_delay});
   const tern_host::Proposal* const best = tern_host::best_of(proposals);
   std::FILE* const to = best == nullptr ? stderr : stdout;
   std::fputs(tern_host::proposals_text(proposals).c_str(), to);
   if (best == nullptr) return kExitNoPlan;
   std::vector<tern_host::Output> outputs;
   if (!options.plan_json.empty()) outputs.push_back({options.plan_json, tern_host::plan_json(best->result)});
-  return report(options, best->intent, others, frame, outputs);
+  return report(options, best->intent, others, frame.heights, outputs);
 }
 
 /// Each scenario is an operator's. All write to one store in memory.
-int show_operators(const IntentOptions& options, const tern_host::LocalFrame& frame) {
+int show_operators(IntentOptions& options) {
   constexpr int kRounds = 10;
+  std::vector<tern_host::Scenario> scenarios;
+  for (const std::string& file : options.operators) {
+    scenarios.push_back(tern_host::named_scenario(file, options.overrides));
+  }
+  const tern_host::IntentFrame earth = frame_of(options, scenarios[0].earth, options.operators[0]);
+  const tern_host::LocalFrame& frame = earth.heights.frame();
   tern_host::IntentStore store(frame);
   for (tern_host::UtmEntity& entity : read_others(options.others)) {
     entity.ovn.clear();  // it is new to this store
@@ -132,10 +168,11 @@ int show_operators(const IntentOptions& options, const tern_host::LocalFrame& fr
     if (!is_new) throw std::runtime_error("--others: " + entity.id + " is there twice");
   }
   std::vector<tern_host::IntentOperator> operators;
-  for (const std::string& file : options.operators) {
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    tern_host::check_same_frame(earth, scenarios[i].earth, options.operators[i]);
     tern_host::UtmEntity like = options.intent;
-    like.id = file;
-    operators.emplace_back(tern_host::named_scenario(file, options.overrides), like, frame,
+    like.id = options.operators[i];
+    operators.emplace_back(scenarios[i], like, frame,
                            tern_host::ReplanSettings{options.tube, options.rest, options.longest_delay});
   }
   std::string log;
@@ -146,30 +183,27 @@ int show_operators(const IntentOptions& options, const tern_host::LocalFrame& fr
 
 int show_intent(IntentOptions& options) {
   check_options(options);
-  const tern_host::LocalFrame frame({{options.origin[0], options.origin[1]}, options.height});
-  if (!options.operators.empty()) return show_operators(options, frame);
-  std::vector<std::string> inputs = options.others;
-  if (options.scenario.empty()) {
-    inputs.push_back(options.plan);
-    check_output_paths(inputs, {options.json});
-    return show_plan(options, read_others(options.others), frame);
-  }
-  const tern_host::Scenario scenario = tern_host::named_scenario(options.scenario, options.overrides);
-  print_warnings(scenario.warnings);
-  for (const std::string& path : tern_host::input_paths(scenario)) inputs.push_back(path);
-  check_output_paths(inputs, {options.json, options.plan_json});
-  return show_scenario(options, scenario, read_others(options.others), frame);
+  if (!options.operators.empty()) return show_operators(options);
+  return options.scenario.empty() ? show_plan(options) : show_scenario(options);
 }
 
 void add_frame_options(CLI::App& command, IntentOptions& options) {
-  command.add_option("--origin", options.origin, "Of the plan's frame, degrees")
+  command
+      .add_option("--origin", options.origin, "Of the plan's frame, degrees (default: as the plan or scenario says)")
       ->type_name("LATITUDE LONGITUDE")
-      ->expected(2)
-      ->required();
-  command.add_option("--height", options.height, "Of the origin above the WGS84 ellipsoid, m")->required();
-  command.add_option("--epoch", options.epoch, "When the plan's clock is 0, e.g. 2026-03-01T09:30:00Z")
-      ->type_name("TIME")
-      ->required();
+      ->expected(2);
+  CLI::Option* const height =
+      command.add_option("--height", options.height, "Of the origin above the WGS84 ellipsoid, m (default: likewise)");
+  command.add_option("--height-amsl", options.height_amsl, "Of the origin above mean sea level, m")->excludes(height);
+  CLI::Option* const undulation = command.add_option(
+      "--undulation", options.undulation, "Mean sea level above the WGS84 ellipsoid, m: heights are printed AMSL, too");
+  command.add_option("--geoid", options.told.heights.geoid_file, "The same by a geoid, such as egm96-5.pgm")
+      ->type_name("FILE")
+      ->excludes(undulation);
+  command
+      .add_option("--epoch", options.told.frame.epoch,
+                  "When the plan's clock is 0, e.g. 2026-03-01T09:30:00Z (default: as the plan or scenario says)")
+      ->type_name("TIME");
 }
 
 void add_tube_options(CLI::App& command, IntentOptions& options) {

@@ -258,6 +258,7 @@ std::string plan_json(const PlanResult& result) {
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
   const tern::Report& report = result.report;
+  if (scenario.earth.is_known()) plan["frame"] = earth_json(scenario.earth);
   add_tracks(result, plan);
   if (!scenario.vias.empty()) plan["vias"] = vias_json(result);
   if (report.finer_cell > 0.0) plan["finer_resolution"] = report.finer_cell;

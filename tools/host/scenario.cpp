@@ -59,7 +59,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name, const 
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides, Ends ends) {
   Scenario scenario = parse_scenario(read_text(path), path, overrides, ends);
   load_map_files(scenario);
-  load_plans(path.substr(0, path.find_last_of('/') + 1), scenario.tracks);
+  load_plans(path.substr(0, path.find_last_of('/') + 1), scenario.earth, scenario.tracks);
   return scenario;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/earth_frame.hpp"
 #include "host/fence_cover.hpp"
 #include "host/fence_record.hpp"
 #include "host/text_records.hpp"
@@ -60,6 +61,7 @@ enum class Unknown { kFree, kSolid };
 /// World frame, metres, seconds.
 struct Scenario {
   std::string name;  ///< the file's name as given
+  EarthFrame earth;  ///< where on the earth the world frame is, if the file says so
   tern::Box boundary{};
   std::vector<Block> blocks;
   std::vector<FenceRecord> fences;

@@ -84,6 +84,7 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   if (key == "block" || key == "keepout") return add_block(words, place);
   if (is_fence(key)) return add_fence_record(words, place);
   if (key == "via") return add_via(words, place);
+  if (is_earth_record(key)) return add_earth_record(words, place, scenario_.earth);
   if (key == "fences_within") return add_fence_cover(words, place);
   if (key == "octomap" || key == "cloud") return add_map_file(words, place);
   if (key == "yaw") {

@@ -7,6 +7,7 @@
 
 #include "base/track_fault.hpp"
 #include "host/fence_record.hpp"
+#include "host/number.hpp"
 #include "host/word_queue.hpp"
 #include "tern/config.hpp"
 #include "tern/status.hpp"
@@ -77,6 +78,24 @@ void read_plan(const nlohmann::json& plan, TrackRecord& record) {
     for (std::size_t i = 0; i < tern::kControlPoints; ++i) piece.points[i] = point(segment.at("relative_points").at(i));
     record.pieces.push_back(piece);
   }
+}
+
+/// Where another frame is the plan's, its points are elsewhere.
+void check_frame(const nlohmann::json& plan, const EarthFrame& earth, const std::string& path, const Place& place) {
+  if (!plan.contains("frame")) return;
+  const nlohmann::json& frame = plan.at("frame");
+  if (frame.contains("latitude") && earth.origin) {
+    const EarthOrigin origin{frame.at("latitude").get<double>(), frame.at("longitude").get<double>()};
+    if (!are_same(origin, *earth.origin)) {
+      throw RecordError(place, "the origin of " + quote(path) + " is " + origin_text(origin) + ", not " +
+                                   origin_text(*earth.origin) + " as the scenario's");
+    }
+  }
+  if (!frame.contains("height") || !earth.height) return;
+  const double height = frame.at("height").get<double>();
+  if (are_same_heights(height, *earth.height)) return;
+  throw RecordError(place, "the origin of " + quote(path) + " is at a height of " + shortest(height) + " m, not " +
+                               shortest(*earth.height) + " m as the scenario's");
 }
 
 /// It points into the record.
@@ -200,12 +219,14 @@ void complete_tracks(double start, std::vector<TrackRecord>& tracks) {
   }
 }
 
-void load_plans(const std::string& folder, std::vector<TrackRecord>& tracks) {
+void load_plans(const std::string& folder, const EarthFrame& earth, std::vector<TrackRecord>& tracks) {
   for (TrackRecord& record : tracks) {
     if (record.plan.empty()) continue;
     const std::string path = folder + record.plan;
     try {
-      read_plan(nlohmann::json::parse(read_text(path)), record);
+      const nlohmann::json plan = nlohmann::json::parse(read_text(path));
+      check_frame(plan, earth, path, record.place);
+      read_plan(plan, record);
     } catch (const nlohmann::json::exception&) {
       throw RecordError(record.place, quote(path) + " is no plan file with a plan");
     }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/earth_frame.hpp"
 #include "host/fence_record.hpp"
 #include "host/text_records.hpp"
 #include "host/word_queue.hpp"
@@ -46,7 +47,7 @@ TrackRecord read_timed_keepout(const Words& words, const FenceTimes& times, std:
 void complete_tracks(double start, std::vector<TrackRecord>& tracks);
 
 /// Reads the plans of other vehicles, in files relative to `folder`. Throws RecordError.
-void load_plans(const std::string& folder, std::vector<TrackRecord>& tracks);
+void load_plans(const std::string& folder, const EarthFrame& earth, std::vector<TrackRecord>& tracks);
 
 /// The tracks for a request. They point into the records.
 std::vector<tern::Track> tracks_of(const std::vector<TrackRecord>& records);

@@ -66,6 +66,13 @@ Problem asked_of(const Json& plan) {
   asked.bounds = bounds_of(plan.at("limits"));
   asked.start = motion_of(plan.at("start_state"));
   asked.goal = motion_of(plan.at("goal_state"));
+  if (plan.contains("frame")) {
+    const Json& frame = plan.at("frame");
+    for (const char* const key : {"latitude", "longitude", "height"}) {
+      if (frame.contains(key)) asked.frame.push_back(number_of(frame.at(key)));
+    }
+    asked.epoch = frame.value("epoch", "");
+  }
   if (!plan.contains("vias")) return asked;
   for (const Json& via : plan.at("vias")) asked.vias.push_back(via_of(via));
   return asked;
@@ -75,6 +82,7 @@ std::string difference(const Problem& a, const Problem& b) {
   if (a.cell != b.cell) return "resolution";
   if (a.radius != b.radius) return "robot_radius";
   if (a.tracking_margin != b.tracking_margin) return "tracking_margin";
+  if (a.frame != b.frame || a.epoch != b.epoch) return "frame";
   if (!all_same(a.bounds, b.bounds)) return "limits";
   if (a.start != b.start) return "start_state";
   if (a.goal != b.goal) return "goal_state";

@@ -41,6 +41,8 @@ const std::set<std::string> kSettings = {"start",
                                          "start_time",
                                          "rest_clear",
                                          "fences_within",
+                                         "frame",
+                                         "epoch",
                                          "search",
                                          "goal_mode",
                                          "yaw",
@@ -69,6 +71,8 @@ void apply(const Settings& settings, Problem& problem) {
   problem.clearance = problem.radius + problem.tracking_margin;
   if (problem.clearance <= decimal(1, 9)) problem.clearance = 0;
   keep_distance(problem.clearance, problem.fences);
+  if (settings.has("frame")) problem.frame = settings.record("frame")->numbers();
+  problem.epoch = settings.word("epoch");
   problem.start_time = whole_nanoseconds(settings.number("start_time", 0));
   problem.rest_clear = settings.number("rest_clear", 0);
   for (Thing& thing : problem.things) {

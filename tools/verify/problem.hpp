@@ -97,7 +97,9 @@ struct Problem {
   std::vector<Octree> octrees;
   bool unknown_is_solid = false;  ///< what no octree says is free is an obstacle
   std::vector<Fence> fences;
-  std::vector<Thing> things;  ///< that move
+  std::vector<Thing> things;    ///< that move
+  std::vector<Rational> frame;  ///< latitude, longitude and height of the origin, those that the file says
+  std::string epoch;            ///< when the clock is 0, in the file's words
   Rational start_time = 0;
   Rational rest_clear = 0;
   Motion start, goal;

@@ -101,7 +101,7 @@ void add(const Record& record, Point& goal, World& world, std::vector<Record>& c
     goal = point_from(record.numbers(1, 3));
   } else if (key == "via") {
     world.mission.push_back(via_from(record).position);
-  } else if (key != "via_policy") {
+  } else if (key != "via_policy" && key != "frame" && key != "epoch") {
     record.refuse("unknown record '" + key + "'");
   }
 }

@@ -11,10 +11,6 @@
 namespace tern_host {
 namespace {
 
-std::string degrees(double value, char positive, char negative) {
-  return fixed(std::fabs(value), 7) + " " + (value < 0.0 ? negative : positive);
-}
-
 /// Seconds of the flight's clock, to the nanosecond. What is more than 30 years away is cut off there.
 std::string seconds(Instant instant, Instant epoch) {
   const Instant most = Instant{1000000000} * kSecond;
@@ -78,11 +74,12 @@ std::string mission_text(const Airspace& airspace) {
 
 std::string fences_text(const Airspace& airspace) {
   const tern::Box& b = airspace.settings.fit.boundary;
-  std::string text = "# Fences by tern airspace: x east, y north, z up, m, about " +
-                     degrees(airspace.origin.point.latitude, 'N', 'S') + ", " +
-                     degrees(airspace.origin.point.longitude, 'E', 'W');
-  text += airspace.knows_height ? ", " + fixed(airspace.origin.height, 3) + " m above the WGS84 ellipsoid\n" : "\n";
-  if (airspace.settings.epoch) text += "# The clock is 0 at " + instant_text(*airspace.settings.epoch) + "\n";
+  const GeoPosition& origin = airspace.origin;
+  std::string text = "# Fences by tern airspace: x east, y north, z up, m\n";
+  text += "frame " + shortest(origin.point.latitude) + " " + shortest(origin.point.longitude);
+  text += airspace.knows_height ? " " + shortest(origin.height) + "  # degrees, and m above the WGS84 ellipsoid\n"
+                                : "  # degrees, at an unknown height\n";
+  if (airspace.settings.epoch) text += "epoch " + instant_text(*airspace.settings.epoch) + "  # when the clock is 0\n";
   std::string corners;
   for (const double v : {b.lower.x, b.lower.y, b.lower.z, b.upper.x, b.upper.y, b.upper.z})
     corners += " " + shortest(v);

@@ -128,4 +128,9 @@ HeightRange ZoneHeights::local(const ZoneHeight& height, const PlanBox& box) con
   return {m + below.low + geoid.low - origin, m + below.high + geoid.high - origin};
 }
 
+HeightRange ZoneHeights::above_sea_level(const HeightRange& above_ellipsoid, const PlanBox& box) const {
+  const HeightRange geoid = undulation(box);
+  return {above_ellipsoid.low - geoid.high, above_ellipsoid.high - geoid.low};
+}
+
 }  // namespace tern_host

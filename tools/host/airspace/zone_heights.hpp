@@ -56,6 +56,11 @@ class ZoneHeights {
   /// Where, in the frame, a surface `height` above its reference is within the box.
   HeightRange local(const ZoneHeight& height, const PlanBox& box) const;
 
+  /// True if heights can be given above mean sea level, too.
+  bool knows_sea_level() const { return sources_.undulation.has_value() || geoid_ != nullptr; }
+  /// Heights above the ellipsoid as heights above mean sea level, which hold them wherever in the box they are.
+  HeightRange above_sea_level(const HeightRange& above_ellipsoid, const PlanBox& box) const;
+
  private:
   HeightRange undulation(const PlanBox& box) const;
   HeightRange ground(const PlanBox& box) const;

@@ -154,7 +154,6 @@ SetpointStream mavlink_stream(const PlanResult& result, double rate, const tern:
 SetpointStream multidof_yaml(const PlanResult& result, double rate, const tern::Vec3& origin) {
   SetpointStream stream{"header: {frame_id: map}\njoint_names: [base_link]\npoints:\n", 0,
                         rounding_of(result.trajectory.origin, origin)};
-  constexpr std::int64_t kSecond = 1000000000;
   for (const std::int64_t ns : stamps_of(result, rate, 1e9)) {
     stream.content += yaml_point(result, static_cast<double>(ns) / 1e9, origin) +
                       "  time_from_start: {secs: " + std::to_string(ns / kSecond) +

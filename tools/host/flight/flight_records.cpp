@@ -159,6 +159,8 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
     }
   } else if (key == "fences_within") {
     world.fences_within = read_fence_cover(words, place);
+  } else if (is_earth_record(key)) {
+    add_earth_record(words, place, world.earth);
   } else if (key == "start") {
     world.start = vector(words, place);
     world.places.start = place;

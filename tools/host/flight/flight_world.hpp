@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/earth_frame.hpp"
 #include "host/fence_cover.hpp"
 #include "host/fence_record.hpp"
 #include "host/flight/sensor_mount.hpp"
@@ -177,6 +178,7 @@ struct FlightWorld {
   std::vector<Cylinder> cylinders;
   std::vector<Appearance> appearing;
   std::vector<Thing> things;  ///< that move
+  EarthFrame earth;           ///< where on the earth the world frame is, if the file says so
   tern::Box boundary{};       ///< its faces are walls
   tern::Vec3 start{};
   tern::Vec3 goal{};

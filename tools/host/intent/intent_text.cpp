@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/intent/intent_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/airspace/airspace.hpp"
@@ -37,12 +38,39 @@ std::string name_of(const UtmEntity& entity) {
 
 }  // namespace
 
-std::string volumes_text(const UtmEntity& intent) {
+namespace {
+
+PlanBox box_of(const ZoneArea& area, const LocalFrame& frame) {
+  if (area.radius > 0.0) {
+    const Plan2 c = frame.plan(area.centre);
+    return {{c.east - area.radius, c.north - area.radius}, {c.east + area.radius, c.north + area.radius}};
+  }
+  PlanBox box{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
+  for (const GeoPoint& corner : area.ring) {
+    const Plan2 p = frame.plan(corner);
+    box.lower = {std::min(box.lower.east, p.east), std::min(box.lower.north, p.north)};
+    box.upper = {std::max(box.upper.east, p.east), std::max(box.upper.north, p.north)};
+  }
+  return box;
+}
+
+/// " (415.7 to 439.1 m AMSL)"; empty where there is no geoid.
+std::string sea_level_text(const Zone& zone, const ZoneHeights& heights) {
+  if (!heights.knows_sea_level()) return "";
+  const HeightRange above =
+      heights.above_sea_level({zone.lower->metres, zone.upper->metres}, box_of(zone.areas[0], heights.frame()));
+  return " (" + height_text(above.low, above.high) + " AMSL)";
+}
+
+}  // namespace
+
+std::string volumes_text(const UtmEntity& intent, const ZoneHeights& heights) {
   std::string text;
   for (std::size_t i = 0; i < intent.volumes.size(); ++i) {
     const Zone& zone = intent.volumes[i];
     text += "volume " + std::to_string(i + 1) + ": " + span_text(span_of(zone)) + ", " +
-            height_text(zone.lower->metres, zone.upper->metres) + ", " + outline_text(zone.areas[0]) + "\n";
+            height_text(zone.lower->metres, zone.upper->metres) + sea_level_text(zone, heights) + ", " +
+            outline_text(zone.areas[0]) + "\n";
   }
   return text;
 }

@@ -28,10 +28,21 @@ double length_of(const JsonNode& node) {
   return length;
 }
 
+EarthFrame earth_of(const JsonNode& frame) {
+  EarthFrame earth;
+  if (frame.has("latitude")) earth.origin = EarthOrigin{frame.at("latitude").number(), frame.at("longitude").number()};
+  if (frame.has("height")) earth.height = frame.at("height").number();
+  if (!frame.has("epoch")) return earth;
+  frame.at("epoch").instant();  // refuses what is none
+  earth.epoch = frame.at("epoch").text();
+  return earth;
+}
+
 TimedPath path_of(const JsonNode& plan) {
   if (plan.text_or("format", "") != "tern-plan/1") plan.refuse("its 'format' is not 'tern-plan/1'");
   if (plan.text_or("status", "") != "ok") plan.refuse("it has no trajectory: its 'status' is not 'ok'");
-  TimedPath path{"", {}, length_of(plan.at("robot_radius")) + length_of(plan.at("tracking_margin"))};
+  TimedPath path{"", {}, length_of(plan.at("robot_radius")) + length_of(plan.at("tracking_margin")), {}};
+  if (plan.has("frame")) path.earth = earth_of(plan.at("frame"));
   double begin = plan.has("start_time") ? plan.at("start_time").number() : 0.0;
   for (const JsonNode& segment : plan.at("segments").items()) {
     path.pieces.push_back(piece_of(segment, begin));
@@ -56,7 +67,7 @@ TimedPath read_timed_path(const std::string& path) {
 }
 
 TimedPath timed_path_of(const PlanResult& result) {
-  TimedPath path{result.scenario.name, {}, result.scenario.clearance()};
+  TimedPath path{result.scenario.name, {}, result.scenario.clearance(), result.scenario.earth};
   const tern::Trajectory& trajectory = result.trajectory;
   double begin = result.scenario.start_time;
   for (int i = 0; i < trajectory.count; ++i) {

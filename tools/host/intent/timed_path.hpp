@@ -24,7 +24,8 @@ struct PathPiece {
 struct TimedPath {
   std::string name;  ///< of the file or the scenario
   std::vector<PathPiece> pieces;
-  double radius;  ///< of the tube about the way that the vehicle stays in: radius and tracking margin, m
+  double radius;       ///< of the tube about the way that the vehicle stays in: radius and tracking margin, m
+  EarthFrame earth{};  ///< where the world frame is, if the plan says so
 };
 
 /// Of a plan file ("tern-plan/1", docs/formats.md). Throws RecordError.
