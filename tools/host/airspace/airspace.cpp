@@ -6,11 +6,16 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/airspace/zone_distance.hpp"
+
 namespace tern_host {
 namespace {
 
 /// With so many corners, cutting a zone may take seconds.
 constexpr std::size_t kManyCorners = 2000;
+
+/// Farther than any boundary reaches: where a zone is matters to a message about it.
+constexpr double kFarAway = 20e3;
 
 constexpr double kMostHours = 24.0 * 366.0;
 
@@ -109,13 +114,19 @@ class AirspaceMaker {
       try {
         fit(entry);
       } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(printable(zone.name) + ", " + zone.place + ": " + error.what());
+        throw std::invalid_argument(printable(zone.name) + ", " + zone.place + ": " + error.what() + far_text(zone));
       }
     }
     out_.entries.push_back(std::move(entry));
   }
 
-  void fit(AirspaceEntry& entry) const {
+  /// Nothing for a zone of which it may not matter where it is.
+  std::string far_text(const Zone& zone) const {
+    const ZoneDistance distance = zone_distance(zone, heights_->frame());
+    return distance.is > kFarAway ? "; it is " + distance_text(distance) : "";
+  }
+
+  void fit(AirspaceEntry& entry) {
     if (entry.zone.kind == ZoneKind::kKeepIn && entry.zone.slants) {
       throw std::invalid_argument("a keep-in whose top slants is not read: give its corners one height");
     }
@@ -132,14 +143,25 @@ class AirspaceMaker {
     note_work(entry.zone);
     entry.fit = fit_zone(entry.zone, *heights_, settings_.fit);
     if (entry.fit.fences.empty()) {
-      const bool keeps_in = entry.zone.kind == ZoneKind::kKeepIn;
-      entry.left_out = keeps_in ? "holds all of the boundary" : entry.fit.flat ? "has no area" : "not at the boundary";
+      entry.left_out = why_no_fence(entry);
     }
     for (const AirspaceEntry& other : out_.entries) {
       if (entry.fit.fences.empty() || !are_same(entry, other)) continue;
       entry.left_out = "as " + printable(other.zone.name) + ", " + other.zone.place;
       entry.fit.fences.clear();
     }
+  }
+
+  std::string why_no_fence(const AirspaceEntry& entry) {
+    if (entry.zone.kind == ZoneKind::kKeepIn) return "holds all of the boundary";
+    if (entry.fit.flat) return "has no area";
+    if (entry.fit.above) return "at the boundary, but at other heights";
+    const ZoneDistance distance = zone_distance(entry.zone, heights_->frame());
+    if (distance.is_swapped() && ++swapped_ == 1 && settings_.note) {
+      settings_.note("warning: " + printable(entry.zone.name) + ", " + entry.zone.place + ", is " +
+                     distance_text(distance) + ": does its file, or --origin, have them the wrong way round?");
+    }
+    return "not at the boundary: " + distance_text(distance);
   }
 
   void note_work(const Zone& zone) const {
@@ -169,6 +191,7 @@ class AirspaceMaker {
   const std::vector<AirspaceFile>& files_;
   AirspaceSettings settings_;
   std::unique_ptr<ZoneHeights> heights_;
+  int swapped_ = 0;  // zones whose latitude and longitude are most likely swapped
   Airspace out_;
 };
 

@@ -146,7 +146,8 @@ class ZoneFit {
 
   void add_keep_out(const ConvexPiece& piece, double by) {
     if (!reaches(piece, box_, 2.0 * by)) return;
-    if (find_heights(piece)) add_fence(tern::FenceKind::kKeepOut, piece, by, bottom_, top_);
+    if (find_heights(piece)) return add_fence(tern::FenceKind::kKeepOut, piece, by, bottom_, top_);
+    out_.above = true;
   }
 
   std::vector<Corner> hull() const {
@@ -162,10 +163,9 @@ class ZoneFit {
     const std::size_t layers = 2 * zone_.areas.size();
     std::vector<Outline> all = outlines_;
     all.push_back({hull, layers, true});
-    const Filled filled = [this, layers](const std::vector<int>& windings) {
+    return convex_pieces(all, layers + 1, [this, layers](const std::vector<int>& windings) {
       return windings[layers] != 0 && !holds({windings.begin(), windings.end() - 1});
-    };
-    return convex_pieces(all, layers + 1, filled);
+    });
   }
 
   void keep_out(const std::vector<ConvexPiece>& pieces) {

@@ -36,6 +36,7 @@ struct FittedFence {
 struct FittedZone {
   std::vector<FittedFence> fences;  ///< none: it does not reach the boundary, or is flat
   bool flat = false;                ///< there is an outline near the boundary, but no area in it
+  bool above = false;               ///< it is where the boundary is, but at other heights
   double area = 0.0;                ///< m^2, of the part up to a kilometre around the boundary
   double off = 0.0;                 ///< m: no fence's side is farther from the zone's outline than this, in plan
   double height_off = 0.0;          ///< m: the same of bottom and top, because the geoid or the ground is not level
