@@ -159,7 +159,7 @@ TEST(AirspaceErrors, OfZonesSayWhatToDo) {
   expect("zones.geojson", settings, "give --origin");
   settings = lake_settings();
   settings.leave_out = {"Lak"};
-  expect("zones.geojson", settings, "no zone is named 'Lak'");
+  expect("zones.geojson", settings, "no zone is named 'Lak': there are 'Lake', 'market'");
 }
 
 }  // namespace

@@ -35,16 +35,43 @@ std::size_t utf8_length(const std::string& text, std::size_t at) {
   return first >= 0xC0 && code >= least[length] && code <= 0x10FFFF && !surrogate ? length : 0;
 }
 
-bool is_named(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool is_meant(const std::vector<std::string>& names, const Zone& zone) {
+  return std::any_of(names.begin(), names.end(), [&zone](const std::string& said) { return answers_to(zone, said); });
 }
 
+/// At most so many names are listed.
+constexpr std::size_t kListed = 12;
+
+std::string list_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kListed; ++i)
+    text += (i > 0 ? ", '" : "'") + printable(names[i]) + "'";
+  return names.size() > kListed ? text + " and " + std::to_string(names.size() - kListed) + " more" : text;
+}
+
+/// The names of all zones for which `is` holds, each once, in their order.
+template <typename Is>
+std::vector<std::string> names_where(const std::vector<AirspaceFile>& files, Is is) {
+  std::vector<std::string> names;
+  for (const AirspaceFile& file : files) {
+    for (const Zone& zone : file.zones) {
+      if (is(zone) && std::find(names.begin(), names.end(), zone.name) == names.end()) names.push_back(zone.name);
+    }
+  }
+  return names;
+}
+
+/// Each name must mean one zone, or several that are called the same.
 void check_names(const std::vector<std::string>& names, const std::vector<AirspaceFile>& files) {
   for (const std::string& name : names) {
-    const bool found = std::any_of(files.begin(), files.end(), [&name](const AirspaceFile& file) {
-      return std::any_of(file.zones.begin(), file.zones.end(), [&name](const Zone& zone) { return zone.name == name; });
-    });
-    if (!found) throw std::invalid_argument("no zone is named '" + printable(name) + "'");
+    const auto meant = names_where(files, [&name](const Zone& zone) { return answers_to(zone, name); });
+    if (meant.empty()) {
+      const std::vector<std::string> all = names_where(files, [](const Zone&) { return true; });
+      throw std::invalid_argument("no zone is named '" + printable(name) + "': there " +
+                                  (all.empty() ? "is none" : (all.size() == 1 ? "is " : "are ") + list_of(all)));
+    }
+    if (meant.size() == 1) continue;
+    throw std::invalid_argument("several zones are named '" + printable(name) + "', say which: " + list_of(meant));
   }
 }
 
@@ -107,8 +134,8 @@ class AirspaceMaker {
  private:
   void add(const Zone& zone) {
     AirspaceEntry entry{zone, {}, {}, ""};
-    if (is_named(settings_.keep_in, zone.name)) entry.zone.kind = ZoneKind::kKeepIn;
-    if (is_named(settings_.leave_out, zone.name)) {
+    if (is_meant(settings_.keep_in, zone)) entry.zone.kind = ZoneKind::kKeepIn;
+    if (is_meant(settings_.leave_out, zone)) {
       entry.left_out = "left out, as told";
     } else {
       try {
@@ -196,6 +223,10 @@ class AirspaceMaker {
 };
 
 }  // namespace
+
+bool answers_to(const Zone& zone, const std::string& said) {
+  return zone.name == said || std::find(zone.aliases.begin(), zone.aliases.end(), said) != zone.aliases.end();
+}
 
 int Airspace::fence_count() const {
   std::size_t count = 0;

@@ -56,9 +56,22 @@ Applicability dates(const JsonNode& period) {
   return when;
 }
 
-std::string identifier_of(const JsonNode& zone) {
-  const std::string country = zone.text_or("country", "");
-  return (country.empty() ? "" : country + " ") + zone.at("identifier").text();
+/// A text, or the first of texts in several languages.
+std::string own_name(const JsonNode& zone) {
+  if (!zone.has("name")) return "";
+  const JsonNode name = zone.at("name");
+  if (name.is_text()) return name.text();
+  const bool translated = name.is_array() && name.size() > 0 && name.at(std::size_t{0}).has("text");
+  return translated ? name.at(std::size_t{0}).at("text").text() : "";
+}
+
+/// "CHE LS001 Heliport": country, identifier and name, each as far as there is one.
+void read_name(const JsonNode& node, Zone& zone) {
+  const std::string country = node.text_or("country", ""), identifier = node.at("identifier").text();
+  const std::string whole = country.empty() ? identifier : country + " " + identifier, name = own_name(node);
+  zone.name = name.empty() ? whole : whole + " " + name;
+  zone.aliases = {identifier, whole};
+  if (!name.empty()) zone.aliases.push_back(name);
 }
 
 void read_ed269_times(const JsonNode& period, Zone& zone, bool& always) {
@@ -84,7 +97,7 @@ ZoneArea ed269_area(const JsonNode& projection) {
 
 void read_ed269_feature(const JsonNode& feature, AirspaceFile& file) {
   Zone zone;
-  zone.name = identifier_of(feature);
+  read_name(feature, zone);
   zone.type = feature.at("restriction").text();
   zone.place = feature.place();
   if (restriction_of(feature.at("restriction")) == Restriction::kNone) {
@@ -141,7 +154,7 @@ void read_ed318_feature(const JsonNode& feature, AirspaceFile& file) {
   const JsonNode properties = feature.at("properties");
   Zone zone;
   zone.edges = EdgeRule::kDegrees;
-  zone.name = identifier_of(properties);
+  read_name(properties, zone);
   zone.type = properties.at("type").text();
   zone.place = feature.place();
   if (restriction_of(properties.at("type")) == Restriction::kNone) {

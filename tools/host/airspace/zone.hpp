@@ -47,8 +47,9 @@ struct ZoneArea {
 /// All areas together are the zone, from the lower height to the upper. Without a height, it has no end there.
 struct Zone {
   std::string name;
-  std::string type;   ///< in the words of the format
-  std::string place;  ///< the file, and where in it
+  std::vector<std::string> aliases;  ///< parts of the name that it answers to as well
+  std::string type;                  ///< in the words of the format
+  std::string place;                 ///< the file, and where in it
   ZoneKind kind = ZoneKind::kKeepOut;
   EdgeRule edges = EdgeRule::kEither;
   std::vector<ZoneArea> areas;
@@ -58,6 +59,9 @@ struct Zone {
   std::vector<Applicability> times;  ///< none: always
   std::vector<std::string> notes;    ///< what the reader made of things that a format leaves open
 };
+
+/// True if a user who says this means the zone.
+bool answers_to(const Zone& zone, const std::string& said);
 
 /// A point of a mission to fly through.
 struct ItineraryPoint {
