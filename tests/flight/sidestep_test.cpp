@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "flight/branch.hpp"
 #include "support/flight_room.hpp"
@@ -60,6 +61,39 @@ TEST(FlightSidestep, AFastVehicleIsNotPushedBeyondItsSpeed) {
   EXPECT_TRUE(append_push(fast, MotionLimits(limits), {0.0, 1.0, 0.0}, 1.0, push));
   push.count = kMaxSegments - 1;
   EXPECT_FALSE(append_push(fast, MotionLimits(limits), {0.0, 1.0, 0.0}, 1.0, push));
+}
+
+/// The four free voxels whose centres are nearest, among obstacles at random.
+TEST(FlightSidestep, StepsBackToTheNearestFreeVoxels) {
+  tern_test::Random random(4210);
+  int with_place = 0;
+  for (int k = 0; k < tern_test::scaled(40); ++k) {
+    FlightRoom room;
+    Grid safe = room.map().safe();
+    for (int n = 0; n < 30; ++n) {
+      const Vec3 low{random.real(-3.0, 3.0), random.real(-3.0, 3.0), random.real(0.0, 2.0)};
+      EXPECT_EQ(safe.mark_box({low, low + Vec3{0.2, 0.2, 0.2}}), Status::kOk);
+    }
+    safe.inflate();
+    const Vec3 from = room.position();
+    const Voxel at = safe.voxel_of(safe.to_local(from));
+    std::vector<double> far;
+    for (std::int32_t n = 0; n < kVoxelsBack; ++n) {
+      const Voxel voxel{at.x + n % 9 - 4, at.y + n / 9 % 9 - 4, at.z + n / 81 - 4};
+      if (safe.free(voxel)) far.push_back(distance(safe.spec().origin + safe.center(voxel), from));
+    }
+    std::sort(far.begin(), far.end());
+    Sidesteps steps{};
+    ASSERT_EQ(steps.begin_back(safe, from), !far.empty());
+    if (far.empty()) continue;
+    ++with_place;
+    ASSERT_EQ(steps.places, std::min(kPlacesBack, static_cast<int>(far.size())));
+    for (int n = 0; n < steps.places; ++n) {
+      EXPECT_DOUBLE_EQ(distance(steps.place[n], from), far[static_cast<std::size_t>(n)]);
+      EXPECT_TRUE(safe.free(safe.voxel_of(safe.to_local(steps.place[n]))));
+    }
+  }
+  EXPECT_GT(with_place, tern_test::scaled(40) / 2);
 }
 
 /// Waits before a ball that covers its goal for good.

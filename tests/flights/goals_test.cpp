@@ -86,13 +86,15 @@ Scene parted_room() {
 
 /// Goals anywhere in the room, from a radius and a voxel away from its faces on, many of them right above the floor or
 /// below the ceiling. What is next to a face is seen whole only along flat lines of sight, since the pose may be wrong.
-TEST(FlightGoals, GoalsAnywhereInARoomAreReached) {
+class FlightGoalsInARoom : public testing::TestWithParam<unsigned> {};
+
+TEST_P(FlightGoalsInARoom, AreReached) {
   FlightSettings settings;
   settings.radius = 0.3;
   settings.pose_margin = 0.05;
   settings.assumed = 1.0;  // between that ball and the first views some voxels stay unseen
   settings.window = {128, 64, 20};
-  Random random(44);
+  Random random(GetParam());
   for (int k = 0; k < tern_test::scaled(9); ++k) {
     const bool is_beyond = k % 3 > 0;
     const double x = is_beyond ? random.real(4.92, 9.48) : random.real(-1.48, 3.48);
@@ -105,6 +107,10 @@ TEST(FlightGoals, GoalsAnywhereInARoomAreReached) {
     EXPECT_LT(from_goal(flown, goal), 0.01);
   }
 }
+
+// With seeds 49 and 51, a vehicle goes to the edge of that ball, where no plan can begin. With 49 and 55, goals are
+// right below the ceiling, and what is above them is seen only along the flattest lines.
+INSTANTIATE_TEST_SUITE_P(Seeds, FlightGoalsInARoom, testing::Values(44u, 49u, 51u, 55u));
 
 /// The bottom of a shaft of 2.4 m, 2 m deep: from inside, a camera that looks level and 29 degrees down does not see
 /// the voxels below it, and from above only those beside the walls.

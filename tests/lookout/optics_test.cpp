@@ -199,6 +199,25 @@ TEST(LookoutOptics, AWallIsInTheWay) {
   EXPECT_LT(work.operations(), 0);
 }
 
+/// A floor 0.25 m below a cube, 2 m away. The ray over the lower edge of the cube's near face falls by (h - 0.25)
+/// / 1.875 a metre, where h is the eye's height above the floor. At the far face, 2.125 m away, it must be a twentieth
+/// of a voxel above the floor, as all lines of sight: h - 2.125 (h - 0.25) / 1.875 > 0.0125, so h < 2.031.
+TEST(LookoutOptics, AFloorHidesWhatIsRightAboveIt) {
+  LookoutMap room;
+  room.mark({{0.0, 0.0, 0.0}, {32.0, 16.0, 1.0}});
+  MapSpec spec = LookoutMap::spec_of_map();
+  spec.angle_margin = spec.depth_margin_square = 0.0;
+  const Optics optics(square_camera(), spec);
+  const auto sees_from = [&](double height) {
+    Work work;
+    const SensorPose pose = optics.pose({2.125, 8.125, 1.0 + height}, {1.0, 0.0}, {4.125, 8.125, 1.375});
+    return optics.in_wide_sight(room.map(), pose, {4.125, 8.125, 1.375}, work);
+  };
+  EXPECT_TRUE(sees_from(0.5));
+  EXPECT_TRUE(sees_from(2.03));
+  EXPECT_FALSE(sees_from(2.04));
+}
+
 /// In empty space all within the radius is wanted of a place, once; then the next place's.
 TEST(LookoutWanted, IsWhatIsNear) {
   LookoutMap room;

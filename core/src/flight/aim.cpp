@@ -11,8 +11,6 @@ namespace {
 
 /// Voxels around the vehicle that are looked at for a way out, along each axis and direction.
 constexpr std::int32_t kMaxWayOut = 8;
-/// Voxels around the vehicle that are looked at for a free one, likewise.
-constexpr std::int32_t kMostBack = 4;
 /// How often a place is moved back to make room: each time out of the reach of one more vehicle.
 constexpr int kMostMoves = 8;
 
@@ -126,24 +124,6 @@ void Aim::choose_way_out(const FlightFacts& flight) noexcept {
   }
   const double size = length(away);
   if (size > 0.0) lead_to(from + (window.clearance() / size) * away);
-}
-
-/// Of equally near ones, the first along z, then y, then x.
-void Aim::choose_step_back(const FlightFacts& flight) noexcept {
-  const Grid& safe = flight.map.safe();
-  const Vec3 local = safe.to_local(start.d[0]);
-  const Voxel at = safe.voxel_of(local);
-  double best = -1.0;
-  for (std::int32_t z = at.z - kMostBack; z <= at.z + kMostBack; ++z) {
-    for (std::int32_t y = at.y - kMostBack; y <= at.y + kMostBack; ++y) {
-      for (std::int32_t x = at.x - kMostBack; x <= at.x + kMostBack; ++x) {
-        const double away = distance(safe.center({x, y, z}), local);
-        if (!safe.free({x, y, z}) || (best >= 0.0 && away >= best)) continue;
-        best = away;
-        lead_to(safe.spec().origin + safe.center({x, y, z}));
-      }
-    }
-  }
 }
 
 void Aim::lead_to(const Vec3& elsewhere) noexcept {

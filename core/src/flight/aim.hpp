@@ -38,8 +38,6 @@ struct Aim : Destination {
   void choose_place(const FlightFacts& flight, double most) noexcept;
   /// Leads one radius straight away from the obstacles within the radius of the start.
   void choose_way_out(const FlightFacts& flight) noexcept;
-  /// Leads to the voxel nearest to the start that is free in the safe grid, if one is near.
-  void choose_step_back(const FlightFacts& flight) noexcept;
   void lead_to(const Vec3& elsewhere) noexcept;
   /// Passes only the first `number` of the points that are asked for; the one after them becomes the target. `cell`:
   /// edge of a voxel.

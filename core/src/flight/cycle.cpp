@@ -15,6 +15,8 @@ constexpr double kLeastWay = 0.6;
 /// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels near the vehicle are solid.
 /// In the second, those right beside it are free, so that it has a voxel to begin at. In the third, all are free.
 constexpr int kAttempts = 3;
+/// In the second one, a vehicle on its way to a lookout, with no free voxel to begin at, steps back instead.
+constexpr int kStepsBackIn = 1;
 constexpr double kHoleVoxels = 2.0;
 
 /// True if the vehicle will rest at the takeover with something within its radius: an error of a sensor, or something
@@ -30,6 +32,10 @@ bool is_squeezed(const FlightFacts& flight, std::int64_t takeover) {
   const Grid& safe = flight.map.safe();
   return flight.rests_at(takeover) && safe.inflated() &&
          !safe.free(safe.voxel_of(safe.to_local(flight.plans.sample_at(takeover).position)));
+}
+
+int attempt_of(const RestSearch& search, const Lookouts& lookouts) {
+  return (lookouts.leads() ? lookouts.failed_cycles : search.idle_cycles) % kAttempts;
 }
 
 }  // namespace
@@ -52,9 +58,8 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   hemmed_in = is_hemmed_in(flight, takeover);
   remainder_is_free = false;
   const GridSpec& window = flight.map.route().spec();
-  const int attempt = (lookouts.leads() ? lookouts.failed_cycles : search.idle_cycles) % kAttempts;
+  const int attempt = attempt_of(search, lookouts);
   leads_out = hemmed_in && search.idle_cycles % 2 == 1;
-  steps_back = !hemmed_in && lookouts.leads() && attempt == 1 && is_squeezed(flight, takeover);
   const double near = attempt < 2 ? flight.spec.near : 0.0;
   all_free = !(near > 0.0);
   is_last_resort = search.is_looking && !search.surveys;
@@ -84,6 +89,23 @@ bool Cycle::begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) 
   draft.plan.tubes.take(flight.tracks);
   draft.proven_on = flight.map.safe().revision();
   sidesteps.begin(stays);
+  job = Job::kSidestep;
+  return true;
+}
+
+/// Where the vehicle touches what is unseen, any curve that the planner makes may come too near to that: only a
+/// straight way does not.
+bool Cycle::begin_step_back(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, Draft& draft,
+                            Work& work) noexcept {
+  const bool needs_way = lookouts.leads() || lookouts.found_nothing;
+  steps_back = needs_way && attempt_of(search, lookouts) == kStepsBackIn && !is_hemmed_in(flight, draft.takeover) &&
+               is_squeezed(flight, draft.takeover);
+  steps_back = steps_back && sidesteps.begin_back(flight.map.safe(), flight.plans.sample_at(draft.takeover).position);
+  if (!steps_back) return false;
+  work.spend(ops::kTurn * kVoxelsBack);
+  expected.expect(flight.tracks, flight.time);
+  draft.plan.tubes.take(flight.tracks);
+  draft.proven_on = flight.map.safe().revision();
   job = Job::kSidestep;
   return true;
 }
@@ -139,12 +161,10 @@ void Cycle::choose_aim(const FlightFacts& flight, const Lookouts& lookouts, std:
                        Work& work) noexcept {
   looks_out = lookouts.leads() && !leaves_fence;
   aim.choose_points(flight, takeover);
-  if (leads_out || steps_back || looks_out || leaves_fence)
-    aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
+  if (leads_out || looks_out || leaves_fence) aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
   if (looks_out) aim.lead_to(lookouts.place());
   if (leads_out) aim.choose_way_out(flight);
-  if (steps_back) aim.choose_step_back(flight);
   if (leaves_fence) aim.lead_to(way_out(flight, work));
   ask(flight);
 }
@@ -208,7 +228,7 @@ Progress Cycle::begin_renewal(const FlightFacts& flight, Draft& draft) noexcept 
 void Cycle::prove_anew() noexcept {
   if (proves_draft()) job = Job::kWait;
   if (job == Job::kRenew) job = Job::kCleared;
-  if (job == Job::kSidestep) sidesteps.begin(sidesteps.stays);
+  if (job == Job::kSidestep) sidesteps.begin_anew();
 }
 
 bool Cycle::reads_map() const noexcept {

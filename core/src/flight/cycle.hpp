@@ -75,7 +75,7 @@ struct Cycle {
   bool is_last_resort;       ///< the vehicle rests and looks around, because nothing else helped
   bool hemmed_in;            ///< something is within the radius of where the vehicle rests
   bool leads_out;            ///< the plan leads away from what is within the radius
-  bool steps_back;           ///< the plan leads to the nearest voxel that is free for all that is known
+  bool steps_back;           ///< this cycle looks for a sidestep back to where a plan can begin
   bool remainder_is_free;    ///< the remainder of the planner's plan in flight is free on the route copy
   bool must_beat;            ///< the plan that was asked for leads where that remainder does, and has to be better
   bool looks_out;            ///< the plan leads to a lookout, or to a place on the way to one
@@ -101,6 +101,10 @@ struct Cycle {
   /// Begins to look for a sidestep, if the vehicle is in the way of something at this takeover. False if it is not, or
   /// if the last cycle looked for one.
   bool begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
+  /// Begins to look for one that leads back to where a plan can begin, if none can where the vehicle will rest at this
+  /// takeover, so that it gets to no lookout.
+  bool begin_step_back(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, Draft& draft,
+                       Work& work) noexcept;
   Progress copy(const RollingMap& map, Work& work) noexcept;
   /// Begins to prove the remainder of the planner's plan in flight on the copy, if it is a candidate.
   Progress begin_remainder(const FlightFacts& flight, Draft& draft) noexcept;
@@ -154,6 +158,8 @@ struct Cycle {
   /// Boxes were marked. If the draft is being proven, its proof begins anew on the map as it is now.
   void prove_anew() noexcept;
 
+  /// The draft is no plan, but a sidestep.
+  bool is_sidestep() const noexcept { return gave_way || steps_back; }
   /// A copy or a proof reads the map, which must not change meanwhile.
   bool reads_map() const noexcept;
   /// The draft is being proven, with the tubes that it has now.

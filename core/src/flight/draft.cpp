@@ -138,6 +138,15 @@ bool Draft::sidestep(const FlightFacts& flight, const Vec3& side, double far, Wo
   return true;
 }
 
+bool Draft::step_to(const FlightFacts& flight, const Vec3& place, Work& work) noexcept {
+  work.spend(kStopOperations / 2);
+  leave_committed_plan(flight, false);
+  const Vec3 way = place - plan.trajectory.origin;
+  if (!append_lift(way, kAnywhere, flight.limits, plan.trajectory)) return false;
+  end_as_brake(flight);
+  return true;
+}
+
 /// Appends a brake straight ahead, or along the committed plan.
 bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed, int number) noexcept {
   const double from = committed.time_at(takeover);

@@ -55,6 +55,9 @@ struct Draft {
   /// Leaves the committed plan at the takeover: pushes off to a side, a unit vector, and stops about `far` metres away
   /// from where it would have stopped. False if the limits allow no such motion.
   bool sidestep(const FlightFacts& flight, const Vec3& side, double far, Work& work) noexcept;
+  /// Leaves the committed plan, which is at rest at the takeover, straight to a place, world frame, and rests there.
+  /// False if the limits allow no such motion.
+  bool step_to(const FlightFacts& flight, const Vec3& place, Work& work) noexcept;
 
   /// Proves that the vehicle may stay where it hovers at the flight's start.
   bool prove_hover(const FlightFacts& flight) noexcept;

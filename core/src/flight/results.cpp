@@ -17,6 +17,10 @@ void FlightState::begin_cycle() noexcept {
     ++report.asked;
     return;
   }
+  if (cycle.begin_step_back(facts, search, lookouts, draft, tick_work)) {
+    ++report.asked;
+    return;
+  }
   draft.begin(facts, cycle.lead.ticks(facts.spec) + facts.clearance_ticks());
   if (begin_lift()) return;
   const Commitment& in_flight = facts.plans.in_flight;
@@ -196,7 +200,7 @@ bool FlightState::commit() noexcept {
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle
 /// flies back and forth without end.
 void FlightState::enter_draft() noexcept {
-  if (!draft.extends && !evasion.is_running && !draft.plan.looks_out && !cycle.gave_way) {
+  if (!draft.extends && !evasion.is_running && !draft.plan.looks_out && !cycle.is_sidestep()) {
     facts.itinerary.count_plan(facts, cycle.aim.start.d[0]);
     cycle.forget_cut_off();
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);

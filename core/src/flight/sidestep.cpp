@@ -43,19 +43,53 @@ double towards_target(const FlightFacts& flight, const Vec3& side) {
 
 void Sidesteps::begin(int steps_of_staying) noexcept {
   stays = steps_of_staying;
+  places = 0;
+  begin_anew();
+}
+
+bool Sidesteps::begin_back(const Grid& safe, const Vec3& from) noexcept {
+  begin(0);
+  const Voxel at = safe.voxel_of(safe.to_local(from));
+  for (std::int32_t z = at.z - kMostBack; z <= at.z + kMostBack; ++z) {
+    for (std::int32_t y = at.y - kMostBack; y <= at.y + kMostBack; ++y) {
+      for (std::int32_t x = at.x - kMostBack; x <= at.x + kMostBack; ++x) {
+        if (safe.free({x, y, z})) add_place(safe.spec().origin + safe.center({x, y, z}), from);
+      }
+    }
+  }
+  return places > 0;
+}
+
+/// Of places that are equally far, the first stays first.
+void Sidesteps::add_place(const Vec3& centre, const Vec3& from) noexcept {
+  const double far = distance(centre, from);
+  int slot = places < kPlacesBack ? places++ : kPlacesBack;
+  for (; slot > 0 && distance(place[slot - 1], from) > far; --slot) {
+    if (slot < kPlacesBack) place[slot] = place[slot - 1];
+  }
+  if (slot < kPlacesBack) place[slot] = centre;
+}
+
+void Sidesteps::begin_anew() noexcept {
   candidate = -1;
   is_proving = are_scored = false;
 }
 
+bool Sidesteps::make(const FlightFacts& flight, Draft& draft, Work& work) const noexcept {
+  if (places > 0) return draft.step_to(flight, place[candidate], work);
+  return draft.sidestep(flight, side_of(candidate), length_of(candidate, flight.map.safe().spec().clearance()), work);
+}
+
 /// Goes on to the candidate that is to be scored next, or to the best one that is not proven yet. False: none is left.
 bool Sidesteps::next() noexcept {
+  const int candidates = places > 0 ? places : kSidesteps;
   if (!are_scored) {
-    are_scored = ++candidate == kSidesteps;
+    are_scored = ++candidate == candidates;
     if (!are_scored) return true;
   }
   int best = kPerStep * (stays + 1) - 1;
   candidate = -1;
-  for (int n = 0; n < kSidesteps; ++n) {
+  for (int n = 0; n < candidates; ++n) {
     if (score[n] <= best) continue;
     best = score[n];
     candidate = n;
@@ -74,8 +108,7 @@ Progress Sidesteps::advance(const FlightFacts& flight, const TrackTable& expecte
     }
     if (!work.left()) return Progress::kMore;
     if (!next()) return Progress::kFailed;
-    const double far = length_of(candidate, flight.map.safe().spec().clearance());
-    const bool is_made = draft.sidestep(flight, side_of(candidate), far, work);
+    const bool is_made = make(flight, draft, work);
     if (are_scored) {
       is_proving = is_made && draft.begin_proof(flight, draft.plan.trajectory, 0.0) == Status::kRunning;
     } else {
@@ -93,6 +126,7 @@ int Sidesteps::score_of(const FlightFacts& flight, const TrackTable& expected, D
   if (meets_thing(plan, 0.0, draft.plan.tubes, clearance, work)) return 0;
   if (closing_fence(flight, draft.plan.end(), draft.plan.rests(), 0.0, work) != kNoFence) return 0;
   const int steps = rest_steps(plan, duration(plan), expected, clearance, work);
+  if (places > 0) return kPerStep * steps + kPlacesBack - candidate;
   const double side = kForSide * (1.0 + towards_target(flight, side_of(candidate)));
   return kPerStep * steps + static_cast<int>(side);
 }

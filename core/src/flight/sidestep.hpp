@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Giving way at rest: short moves out of the way of a thing that is expected where the vehicle rests, or is about to.
-// They are made without the planner, so they begin soon: a thing that is near leaves no time for a plan.
+// Short moves without the planner. Giving way at rest, out of the way of a thing that is expected where the vehicle
+// rests, or is about to: a thing that is near leaves no time for a plan. And stepping back to where a plan can begin.
 #ifndef TERN_FLIGHT_SIDESTEP_HPP
 #define TERN_FLIGHT_SIDESTEP_HPP
 
@@ -19,6 +19,11 @@ namespace tern {
 /// The sides are those of a cube, its edges and its corners, seen from its middle; each is tried with two lengths.
 constexpr int kSides = 26;
 constexpr int kSidesteps = 2 * kSides;
+/// Places that a vehicle may step back to.
+constexpr int kPlacesBack = 4;
+/// Voxels around the vehicle that are looked at for them: so many along each axis and direction, and all.
+constexpr std::int32_t kMostBack = 4;
+constexpr std::int32_t kVoxelsBack = (2 * kMostBack + 1) * (2 * kMostBack + 1) * (2 * kMostBack + 1);
 /// Units to judge all of them and to prove some.
 constexpr std::uint32_t kSidestepWork = 6000;
 
@@ -28,14 +33,23 @@ struct Sidesteps {
   bool is_proving;                 ///< that one is being proven
   bool are_scored;                 ///< all are
   std::int16_t score[kSidesteps];  ///< 0: not to be flown
+  Vec3 place[kPlacesBack];         ///< to step back to, the nearest first, world frame
+  int places;                      ///< 0: the vehicle gives way
 
   void begin(int steps_of_staying) noexcept;
+  /// The candidates lead straight to one of the free voxels that are nearest to this place. False if there is none near
+  /// it.
+  bool begin_back(const Grid& safe, const Vec3& from) noexcept;
+  /// The same again, because what the proofs were made with changed.
+  void begin_anew() noexcept;
   /// The sidesteps whose ends stay clear for longest come first, and of these those that lead nearer to the target.
   /// kDone: the draft is one of them, and it is proven. kFailed: none that is better than to stay is.
   Progress advance(const FlightFacts& flight, const TrackTable& expected, Draft& draft, Work& work) noexcept;
 
  private:
   bool next() noexcept;
+  void add_place(const Vec3& centre, const Vec3& from) noexcept;
+  bool make(const FlightFacts& flight, Draft& draft, Work& work) const noexcept;
   int score_of(const FlightFacts& flight, const TrackTable& expected, Draft& draft, Work& work) const noexcept;
 };
 

@@ -38,13 +38,16 @@ std::uint64_t bit_of(std::int32_t k) {
 
 }  // namespace
 
-/// The vehicle's own place is where it is, and not the centre of a voxel.
+/// The vehicle's own place is where it is, and not the centre of a voxel. Of an octet, the layer is taken that is
+/// nearer to the height of what should be seen: right above a floor or below a ceiling, only flat lines of sight show
+/// it.
 Vec3 LookoutSearch::place_of(const RollingMap& map, std::int32_t place) const noexcept {
   if (place == 0) return question.from;
   const Grid& safe = map.safe();
   const Voxel octet = octets_.octet(places_.place[place].octet);
   const Grid& grid = octets_.bit(octets_.known, octet) ? safe : map.route();
-  return safe.spec().origin + safe.center(octets_.free_voxel(grid, octet));
+  const bool from_top = safe.to_local(wanted_.middle(false)).z > octets_.middle_height(octet, safe.spec().cell);
+  return safe.spec().origin + safe.center(octets_.free_voxel(grid, octet, from_top));
 }
 
 bool LookoutSearch::aims(const Vec3& place, bool at_all, Heading& heading) const noexcept {
@@ -112,7 +115,7 @@ double LookoutSearch::cost(const RollingMap& map, const Vec3& place, double seco
   if (reached < way_count_) {
     sum += kNextLookout + kUnseenWay * (way_count_ - reached) * octets_.edge / question.agility.speed;
   }
-  if (was_tried_) {
+  if (was_tried_ || pass_ > 1) {
     const Vec3 way = wanted_.middle(false) - place;
     sum += kSteepPrice * absolute(way.z) / larger(kLeastFlat, horizontal_length(way));
   }

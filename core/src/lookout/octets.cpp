@@ -113,13 +113,19 @@ Voxel Octets::octet(std::int32_t index) const noexcept {
   return {index % kOctetsX, at % count.y, at / count.y};
 }
 
-Voxel Octets::free_voxel(const Grid& grid, const Voxel& octet) const noexcept {
+Voxel Octets::free_voxel(const Grid& grid, const Voxel& octet, bool from_top) const noexcept {
   const Voxel first{origin.x + kEdge * octet.x, origin.y + kEdge * octet.y, origin.z + kEdge * octet.z};
   for (std::int32_t k = 0; k < kEdge * kEdge * kEdge; ++k) {
-    const Voxel voxel{first.x + k % kEdge, first.y + k / kEdge % kEdge, first.z + k / (kEdge * kEdge)};
+    const std::int32_t layer = k / (kEdge * kEdge);
+    const std::int32_t z = first.z + (from_top ? kEdge - 1 - layer : layer);
+    const Voxel voxel{first.x + k % kEdge, first.y + k / kEdge % kEdge, z};
     if (grid.free(voxel)) return voxel;
   }
   return first;
+}
+
+double Octets::middle_height(const Voxel& octet, double cell) const noexcept {
+  return cell * (origin.z + kEdge * octet.z + 0.5 * kEdge);
 }
 
 }  // namespace tern

@@ -53,8 +53,11 @@ struct Octets {
   bool bit(const std::uint64_t* layer, const Voxel& octet) const noexcept {
     return (layer[row(octet)] >> octet.x & 1u) != 0;
   }
-  /// The first of an octet's voxels that is free in the grid, or its lowest one if none is.
-  Voxel free_voxel(const Grid& grid, const Voxel& octet) const noexcept;
+  /// The first of an octet's voxels that is free in the grid, from the lower layer on or from the upper one; one that
+  /// is not if none is.
+  Voxel free_voxel(const Grid& grid, const Voxel& octet, bool from_top = false) const noexcept;
+  /// Of an octet's middle, local frame, metres.
+  double middle_height(const Voxel& octet, double cell) const noexcept;
 };
 
 }  // namespace tern

@@ -17,6 +17,8 @@ constexpr double kSteepest = 100.0;
 /// Lines of sight between paths' corners mostly end at the first rows that they meet. These are mostly free: they take
 /// so many times what sight_operations() says.
 constexpr Operations kWholeSight = 6;
+/// A cube's nearest face counts as no nearer than this part of its depth.
+constexpr double kLeastDepth = 0.1;
 /// A scan sees nothing within so many of its pixels of a thing's direction, or of the edge of the view.
 constexpr double kScanEdge = 1.25;
 
@@ -29,6 +31,25 @@ double tangent_of(double angle) {
 /// Half of a cube's extent along a unit vector, in edges.
 double half_extent(const Vec3& along) {
   return 0.5 * (absolute(along.x) + absolute(along.y) + absolute(along.z));
+}
+
+/// Least and largest tangents of a cube's outline on one axis of the image: `off` is the centre's distance from the
+/// image's middle, `reach` half the cube's extent, all at depths from `near` to `far`.
+struct Range {
+  double least, most;
+};
+
+Range outline(double off, double reach, double near, double far) {
+  const double low = off - reach;
+  const double high = off + reach;
+  return {low / (low < 0.0 ? near : far), high / (high < 0.0 ? far : near)};
+}
+
+/// A scanner's axes for what lies in this direction, of length 1.
+SensorPose facing(const Vec3& eye, const Vec3& ahead) {
+  const double flat = horizontal_length(ahead);
+  const Vec3 right = flat > 0.0 ? Vec3{ahead.y / flat, -ahead.x / flat, 0.0} : Vec3{1.0, 0.0, 0.0};
+  return {eye, ahead, right, cross(ahead, right)};
 }
 
 /// From the eye to `behind` metres behind the centre.
@@ -111,15 +132,24 @@ bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const 
                            Work& work) const noexcept {
   if (!in_sight(map, pose.eye, centre, work)) return false;
   const Vec3 way = centre - pose.eye;
-  const double far = length(way);
-  const Vec3 side = cross(way, {0.0, 0.0, 1.0});
-  const double flat = length(side);
-  if (!(flat > 0.0)) return true;
-  const double reach = 0.5 * cell_ + pose_margin_ + angle_margin_ * far;
-  const Vec3 right = (reach / flat) * side;
-  const Vec3 up = (reach / (flat * far)) * cross(side, way);
-  return in_sight(map, pose.eye, centre - up + right, work) && in_sight(map, pose.eye, centre - up - right, work) &&
-         in_sight(map, pose.eye, centre + up + right, work) && in_sight(map, pose.eye, centre + up - right, work);
+  const double distant = length(way);
+  if (!(distant > 0.0)) return true;
+  SensorPose axes = pose;
+  if (is_scanner_) axes = facing(pose.eye, (1.0 / distant) * way);
+  const double grown = pose_margin_ + angle_margin_ * distant;
+  const double depth = dot(way, axes.ahead);
+  const double half = cell_ * half_extent(axes.ahead) + grown;
+  const double near = larger(depth - half, kLeastDepth * depth);
+  const double far = depth + half + margin_ + margin_square_ * depth * depth;
+  const Range across = outline(dot(way, axes.right), cell_ * half_extent(axes.right) + grown, near, depth + half);
+  const Range down = outline(dot(way, axes.down), cell_ * half_extent(axes.down) + grown, near, depth + half);
+  for (int corner = 0; corner < 4; ++corner) {
+    const double x = corner % 2 == 0 ? across.least : across.most;
+    const double y = corner / 2 == 0 ? down.least : down.most;
+    const Vec3 to = pose.eye + far * (axes.ahead + x * axes.right + y * axes.down);
+    if (!line_is_free(map, pose.eye, to, 0.0, work)) return false;
+  }
+  return true;
 }
 
 bool Optics::in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept {
