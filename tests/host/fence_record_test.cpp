@@ -8,12 +8,17 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "host/finding_text.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "host/nearest_fence.hpp"
+#include "host/plan_file.hpp"
+#include "host/scenario.hpp"
 #include "support/own_folder.hpp"
 
 namespace {
@@ -38,6 +43,59 @@ std::string fence_error(const std::string& line) {
     return error.what();
   }
   return "";
+}
+
+TEST(FenceRecord, MayHaveAName) {
+  const auto end_of = [](const std::string& line) {
+    tern_host::Words words = tern_host::split_words(line, false);
+    const tern_host::FenceEnd end = tern_host::take_end(kPlace, words);
+    return std::make_pair(end, words.size());
+  };
+  EXPECT_EQ(end_of("keepout 0 0 0 1 1 1").first.zone, "");
+  const auto [named, left] = end_of("keepin_halfspaces 1 0 0 2 during 3 4 zone Closed during  events");
+  EXPECT_EQ(named.zone, "Closed during events");
+  EXPECT_EQ(named.from, 3000000000);
+  EXPECT_EQ(named.until, 4000000000);
+  EXPECT_EQ(left, 5u);
+  EXPECT_THROW(end_of("keepout 0 0 0 1 1 1 zone"), tern_host::RecordError);
+
+  const tern_host::Scenario scenario = tern_host::parse_scenario(
+      "boundary 0 0 0 9 9 9\nstart 1 1 1\ngoal 8 8 8\nkeepin 0 0 0 9 9 9 zone City\nkeepout_halfspaces -1 0 0 -8 "
+      "during 3 4 "
+      "0.5 zone Old town\nkeepout 3 3 3 4 4 4 zone Tower\nkeepout 5 5 5 6 6 6 during 1 2 zone Crane\n",
+      "map.txt");
+  ASSERT_EQ(scenario.fences.size(), 2u);
+  EXPECT_EQ(tern_host::zone_text(scenario.fences, 0), " (City)");
+  EXPECT_EQ(tern_host::zone_text(scenario.fences, 1), " (Old town)");
+  EXPECT_EQ(tern_host::zone_text(scenario.fences, tern::kNoFence), "");
+  EXPECT_EQ(scenario.blocks.size(), 1u);
+  EXPECT_EQ(scenario.tracks.size(), 1u);
+}
+
+TEST(FenceRecord, NamesAreInMessages) {
+  const std::string map = "boundary 0 0 0 9 9 9\ngoal 8 8 8\n";
+  tern_host::Session session;
+  const tern_host::PlanResult inside = session.plan(
+      tern_host::parse_scenario(map + "start 1 1 1\nkeepout_halfspaces 1 0 0 2 zone Old town\n", "map.txt"));
+  EXPECT_EQ(inside.report.status, tern::Status::kStartFenced);
+  EXPECT_NE(describe_status(inside).find("; fence: number 1 of the request (Old town)"), std::string::npos)
+      << describe_status(inside);
+  tern::ProofReport check;
+  check.finding = tern::Finding::kFence;
+  check.segment = 2;
+  check.fence = 0;
+  EXPECT_EQ(describe_finding(check, inside.scenario.fences), "segment 2 breaks fence 1 (Old town) from 0 s on, by 0 m");
+  EXPECT_EQ(nlohmann::json(fence_json(inside.scenario.fences[0]))["zone"], "Old town");
+
+  // A straight line from x = 4 on; the second fence is over before.
+  const tern_host::PlanResult plan = session.plan(tern_host::parse_scenario(
+      map + "start 4 8 8\nstart_time 20\nkeepout_halfspaces 1 0 0 1 zone Old town\nkeepout_halfspaces 1 0 0 2 during 1 "
+            "2\nkeepin -2 -2 -2 12 12 12\n",
+      "map.txt"));
+  ASSERT_TRUE(plan.ok());
+  const tern_host::NearestFence nearest = nearest_fence(plan.trajectory, plan.scenario);
+  EXPECT_EQ(nearest.index, 0);
+  EXPECT_NEAR(nearest.gap, 3.0, 1e-9);
 }
 
 TEST(FenceRecord, ABoxHasSixPlanes) {

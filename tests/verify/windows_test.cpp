@@ -34,6 +34,9 @@ TEST(Windows, RecordsSayWhenTheyHold) {
   const Fence half = fence_from(record("keepout_halfspaces 1 0 0 2 during -1 1"));
   EXPECT_FALSE(half.keep_in);
   EXPECT_EQ(half.window->clock_error, 0);
+  EXPECT_EQ(fence_from(record("keepin 0 0 0 1 2 3 during 4 5 zone Closed during events")).zone, "Closed during events");
+  EXPECT_EQ(title_of({half, fence_from(record("keepin 0 0 0 1 2 3 zone Old \x1B town"))}, 1), "fence 2 Old ? town");
+  EXPECT_EQ(title_of({half}, 0), "fence 1");
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4 4")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4 5 -1")), InputError);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/figures.hpp"
+#include "host/nearest_fence.hpp"
 #include "host/number.hpp"
 #include "host/peaks.hpp"
 #include "host/plan_file.hpp"
@@ -65,10 +66,17 @@ std::string timing_line(const tern_host::Timing& timing) {
 }
 
 /// The distance is that from what stands still: tracks_line() is about the rest.
-std::string clearance_line(double clearance, const tern_host::Scenario& scenario) {
+std::string clearance_line(double clearance, const PlanResult& result) {
+  const tern_host::Scenario& scenario = result.scenario;
   const std::size_t fences = scenario.fences.size();
   std::string text = std::isfinite(clearance) ? fixed(clearance, 4) + " m from the blocks" : "no blocks";
   if (fences > 0) text += ", " + std::to_string(fences) + (fences == 1 ? " geofence kept" : " geofences kept");
+  const tern_host::NearestFence nearest = tern_host::nearest_fence(result.trajectory, scenario);
+  if (nearest.index >= 0) {
+    const std::string& zone = scenario.fences[static_cast<std::size_t>(nearest.index)].zone;
+    text += ", nearest " + (zone.empty() ? "number " + std::to_string(nearest.index + 1) : zone) + " at " +
+            fixed(nearest.gap, 3) + " m";
+  }
   if (scenario.tracking_margin > 0.0) text += ", tracking margin " + fixed(scenario.tracking_margin, 3) + " m";
   return "  clearance   " + text + "\n";
 }
@@ -146,8 +154,7 @@ std::string trajectory_lines(const PlanResult& result) {
          via_lines(result) +
          peaks_line("velocity", figures.v_range, tern_host::velocity_range(limits), "m/s", figures.v_use) +
          peaks_line("accel.", figures.a_range, tern_host::acceleration_range(limits), "m/s^2", figures.a_use) +
-         jerk_line + thrust_line(figures, limits) + clearance_line(figures.clearance, result.scenario) +
-         tracks_line(result);
+         jerk_line + thrust_line(figures, limits) + clearance_line(figures.clearance, result) + tracks_line(result);
 }
 
 std::string yaw_line(const PlanResult& result) {

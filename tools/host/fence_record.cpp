@@ -95,30 +95,48 @@ bool is_fence(const std::string& key) {
   return key == "keepin" || key == "keepout" || key == "keepin_halfspaces" || key == "keepout_halfspaces";
 }
 
-FenceTimes take_window(const Place& place, Words& words) {
-  const auto during = std::find(words.begin(), words.end(), "during");
-  if (during == words.end()) return {};
-  const Words given(during, words.end());
-  words.erase(during, words.end());
-  const std::vector<double> times = numbers(given, place);
+namespace {
+
+/// The words from `key` on, which are taken off.
+Words take_from(const char* key, Words& words) {
+  const auto found = std::find(words.begin(), words.end(), key);
+  const Words taken(found, words.end());
+  words.erase(found, words.end());
+  return taken;
+}
+
+void read_window(const Words& words, const Place& place, FenceEnd& end) {
+  const std::vector<double> times = numbers(words, place);
   if (times.size() != 2 && times.size() != 3) throw_count("during", "2 times, or 3 with an error", times.size(), place);
   for (const double time : times) {
     if (!(std::fabs(time) <= kMostSeconds)) throw RecordError(place, "the times of 'during' are too far away");
   }
-  FenceTimes window{std::llround(times[0] * 1e9), std::llround(times[1] * 1e9)};
-  if (!(window.from < window.until)) throw RecordError(place, "'during' ends before it begins, or at once");
-  if (times.size() == 3) window.clock_error = times[2];
-  if (!(window.clock_error >= 0.0)) throw RecordError(place, "a clock's error must not be less than 0");
-  return window;
+  end.from = std::llround(times[0] * 1e9);
+  end.until = std::llround(times[1] * 1e9);
+  if (!(end.from < end.until)) throw RecordError(place, "'during' ends before it begins, or at once");
+  if (times.size() == 3) end.clock_error = times[2];
+  if (!(end.clock_error >= 0.0)) throw RecordError(place, "a clock's error must not be less than 0");
 }
 
-void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceTimes& times) {
+}  // namespace
+
+FenceEnd take_end(const Place& place, Words& words) {
+  FenceEnd end;
+  // A name may have any words: it is taken off first.
+  const Words zone = take_from("zone", words), during = take_from("during", words);
+  if (zone.size() == 1) throw RecordError(place, "'zone' needs a name");
+  for (std::size_t i = 1; i < zone.size(); ++i) end.zone += (i > 1 ? " " : "") + zone[i];
+  if (!during.empty()) read_window(during, place, end);
+  return end;
+}
+
+void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceEnd& end) {
   const bool keeps_out = words.front().rfind("keepout", 0) == 0;
-  FenceRecord fence{{}, planes_of(words, place), words.front(), place};
+  FenceRecord fence{{}, planes_of(words, place), words.front(), place, end.zone};
   fence.fence.kind = keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn;
-  fence.fence.from = times.from;
-  fence.fence.until = times.until;
-  fence.fence.clock_error = times.clock_error;
+  fence.fence.from = end.from;
+  fence.fence.until = end.until;
+  fence.fence.clock_error = end.clock_error;
   if (fence.planes.size() > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
     throw RecordError(place, "a fence of more than " + std::to_string(tern::kMaxFencePlanes) +
                                  " half-spaces (TERN_MAX_FENCE_PLANES)");
@@ -199,6 +217,12 @@ bool exceeds_capacity(const std::vector<FenceRecord>& fences) {
          planes > static_cast<std::size_t>(tern::kMaxFencePlanes);
 }
 
+std::string zone_text(const std::vector<FenceRecord>& fences, std::int32_t index) {
+  if (index < 0 || static_cast<std::size_t>(index) >= fences.size()) return "";
+  const std::string& zone = fences[static_cast<std::size_t>(index)].zone;
+  return zone.empty() ? "" : " (" + zone + ")";
+}
+
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records) {
   std::vector<tern::Fence> fences;
   for (const FenceRecord& record : records) {
@@ -214,6 +238,7 @@ nlohmann::ordered_json fence_json(const FenceRecord& fence) {
   for (const Halfspace& p : fence.planes) planes.push_back({p.normal.x, p.normal.y, p.normal.z, p.offset});
   const bool keeps_in = fence.fence.kind == tern::FenceKind::kKeepIn;
   nlohmann::ordered_json json{{"kind", keeps_in ? "keep_in" : "keep_out"}, {"half_spaces", planes}};
+  if (!fence.zone.empty()) json["zone"] = fence.zone;
   if (!tern::is_timed(fence.fence)) return json;
   json["from_ns"] = fence.fence.from;
   json["until_ns"] = fence.fence.until;
@@ -221,9 +246,14 @@ nlohmann::ordered_json fence_json(const FenceRecord& fence) {
   return json;
 }
 
-double fence_gap(const FenceRecord& fence, const Vec3& point) {
+double beyond_planes(const FenceRecord& fence, const Vec3& point) {
   double most = -std::numeric_limits<double>::infinity();
   for (const Halfspace& plane : fence.planes) most = std::max(most, beyond(plane, point));
+  return most;
+}
+
+double fence_gap(const FenceRecord& fence, const Vec3& point) {
+  const double most = beyond_planes(fence, point);
   if (fence.fence.kind == tern::FenceKind::kKeepIn) return -most;
   return most > 0.0 ? distance_from(fence.planes, point) : most;
 }

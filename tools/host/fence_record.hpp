@@ -22,6 +22,7 @@ struct FenceRecord {
   std::vector<tern::Halfspace> planes;
   std::string key = "fence";  ///< of its record, for messages
   Place place{};
+  std::string zone{};  ///< what it is a fence of, as its record says; empty: nothing said
 };
 
 /// Of six numbers, the lower corner first. Throws RecordError.
@@ -32,21 +33,29 @@ tern::Box block_box(const Words& words, const Place& place);
 
 bool is_fence(const std::string& key);
 
-/// When a fence holds, ns, and its clock's error, s; all zero: always.
-struct FenceTimes {
-  std::int64_t from = 0;
+/// What may stand at the end of a fence's record.
+struct FenceEnd {
+  std::int64_t from = 0;  ///< when it holds, ns, and its clock's error, s; all zero: always
   std::int64_t until = 0;
   double clock_error = 0.0;
+  std::string zone;
+
+  bool has_times() const { return from != until; }
 };
 
-/// Takes `during t0 t1` or `during t0 t1 error` off the end of a record. Throws RecordError.
-FenceTimes take_window(const Place& place, Words& words);
+/// Takes `during t0 t1` or `during t0 t1 error`, and `zone` with a name to the end of the line, off a record. Throws
+/// RecordError.
+FenceEnd take_end(const Place& place, Words& words);
 
 /// The most fences of a file. A request takes fewer (TERN_MAX_FENCES): Session::plan() chooses, flights refuse them.
 constexpr std::size_t kMostFences = 4096;
 
-/// Appends the fence of a record for which is_fence() holds. Throws RecordError, also beyond kMostFences.
-void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceTimes& times = {});
+/// Appends the fence of a record for which is_fence() holds, without its end. Throws RecordError, also beyond
+/// kMostFences.
+void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences, const FenceEnd& end = {});
+
+/// " (Old town)" for the fence with this index; empty if it has no name.
+std::string zone_text(const std::vector<FenceRecord>& fences, std::int32_t index);
 
 /// True if there are more fences or half-spaces than a request takes.
 bool exceeds_capacity(const std::vector<FenceRecord>& fences);
@@ -63,6 +72,9 @@ std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records);
 
 /// As a log of a flight says it (docs/formats.md).
 nlohmann::ordered_json fence_json(const FenceRecord& fence);
+
+/// How far the point is beyond the plane that it is farthest beyond, metres; negative where it is behind all.
+double beyond_planes(const FenceRecord& fence, const tern::Vec3& point);
 
 /// How far the point is inside a keep-in or outside a keep-out, metres; negative where it breaks the fence.
 double fence_gap(const FenceRecord& fence, const tern::Vec3& point);

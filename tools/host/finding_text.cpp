@@ -57,7 +57,7 @@ std::string motion_text(const ProofReport& check, const char* fault) {
 
 }  // namespace
 
-std::string describe_finding(const ProofReport& check) {
+std::string describe_finding(const ProofReport& check, const std::vector<FenceRecord>& fences) {
   switch (check.finding) {
     case Finding::kMalformed:
       return check.segment < 0 ? "the plan has no segments, or too many" : segment_text(check) + " is malformed";
@@ -77,8 +77,8 @@ std::string describe_finding(const ProofReport& check) {
     case Finding::kJoint:
       return motion_text(check, "jumps from the segment before");
     case Finding::kFence:
-      return segment_text(check) + " breaks " + asked_number("fence", check.fence) + time_text(check) +
-             excess_text(check);
+      return segment_text(check) + " breaks " + asked_number("fence", check.fence) + zone_text(fences, check.fence) +
+             time_text(check) + excess_text(check);
     case Finding::kBoundary:
       return motion_text(check, "misses the state that was asked for");
     case Finding::kVia:

@@ -7,13 +7,14 @@
 
 #include <string>
 
+#include "host/fence_record.hpp"
 #include "tern/report.hpp"
 
 namespace tern_host {
 
 /// One clause, for example "velocity of segment 2 on the x axis is beyond its limit by 0.01 m/s". Numbers count from 0,
-/// as in the plan file. Empty where the check found nothing.
-std::string describe_finding(const tern::ProofReport& check);
+/// as in the plan file. Empty where the check found nothing. `fences`: of the request, for their names.
+std::string describe_finding(const tern::ProofReport& check, const std::vector<FenceRecord>& fences = {});
 
 }  // namespace tern_host
 

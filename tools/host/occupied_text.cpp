@@ -81,8 +81,10 @@ std::string occupied_text(const PlanResult& result) {
   return is_block ? near_text(result, point, nearest) : "; it is outside of obstacles, but too close to one";
 }
 
-std::string narrow_text(const tern::Report& report) {
-  const std::string cause = report.fence != tern::kNoFence ? "a fence leaves no whole voxel near it"
+std::string narrow_text(const PlanResult& result) {
+  const tern::Report& report = result.report;
+  const std::string fence = "a fence" + zone_text(result.scenario.fences, report.fence);
+  const std::string cause = report.fence != tern::kNoFence ? fence + " leaves no whole voxel near it"
                                                            : "obstacles and the boundary leave no whole voxel near it";
   if (!(report.finer_cell > 0.0)) {
     return "; " + cause + ", at no resolution that fits: choose another point, or a smaller radius";
@@ -101,7 +103,7 @@ std::string describe_occupied(const PlanResult& result) {
     case Status::kStartTooNarrow:
     case Status::kGoalTooNarrow:
     case Status::kViaTooNarrow:
-      return narrow_text(result.report);
+      return narrow_text(result);
     default:
       return "";
   }

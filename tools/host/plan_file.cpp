@@ -190,6 +190,9 @@ void add_tracks(const PlanResult& result, Json& plan) {
     Json& conflict = plan["first_conflict"];
     if (report.track >= 0) conflict["track"] = track_name(result);
     if (report.track < 0) conflict["fence"] = report.fence;
+    if (report.track < 0 && !zone_text(scenario.fences, report.fence).empty()) {
+      conflict["zone"] = scenario.fences[static_cast<std::size_t>(report.fence)].zone;
+    }
     conflict["time"] = scenario.start_time + report.conflict;
     if (report.status == tern::Status::kGoalCovered) {
       conflict["goal_free"] =
@@ -198,8 +201,10 @@ void add_tracks(const PlanResult& result, Json& plan) {
   }
 }
 
-std::string finding_text(const tern::ProofReport& check) {
-  return check.finding == tern::Finding::kNone ? "" : "; the check found: " + describe_finding(check);
+std::string finding_text(const PlanResult& result) {
+  const tern::ProofReport& check = result.report.check;
+  if (check.finding == tern::Finding::kNone) return "";
+  return "; the check found: " + describe_finding(check, result.scenario.fences);
 }
 
 /// From when on a goal that is covered would be free.
@@ -209,12 +214,17 @@ std::string free_text(const tern::Report& report) {
   return "; the goal was not found free within an hour";
 }
 
+std::string fence_text(const PlanResult& result) {
+  const std::int32_t fence = result.report.fence;
+  return "; fence: number " + std::to_string(fence + 1) + " of the request" + zone_text(result.scenario.fences, fence);
+}
+
 std::string describe_failure(const PlanResult& result) {
   const tern::Report& report = result.report;
   std::string text = std::string(tern::status_meaning(report.status)) + "; stage: " + tern::stage_name(report.stage);
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
-  if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
+  if (report.fence != tern::kNoFence) text += fence_text(result);
   if (meets_track(result)) {
     if (report.track >= 0) text += "; track: " + track_name(result);
     text += ", " + brief(report.conflict) + " s after the beginning" + free_text(report);
@@ -222,7 +232,7 @@ std::string describe_failure(const PlanResult& result) {
   text += describe_occupied(result) + result.closed_way;
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
-  return text + finding_text(report.check);
+  return text + finding_text(result);
 }
 
 }  // namespace
@@ -235,7 +245,7 @@ std::string describe_status(const PlanResult& result) {
            ", as near as a path comes: " + tern::status_meaning(report.goal_missed) + result.closed_way;
   }
   const std::string reason = std::string(tern::status_name(report.optimiser)) + ", " +
-                             tern::status_meaning(report.optimiser) + finding_text(report.check);
+                             tern::status_meaning(report.optimiser) + finding_text(result);
   const bool optimised = report.optimiser == tern::Status::kOk;
   if (report.quality == tern::Quality::kStopAndGo) {
     return optimised ? "one curve straight into the goal's motion, which is not optimised"

@@ -76,13 +76,10 @@ ScenarioBuilder::Choice* ScenarioBuilder::find_choice(const std::string& key) {
 void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& place) {
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
-  if (is_fence(key) && words.size() > 1 && std::find(words.begin(), words.end(), "during") != words.end()) {
-    return add_timed_fence(words, place);
-  }
   if (key == "track") return scenario_.tracks.push_back(read_track(words, place));
   if (key == "track_piece") return add_track_piece(words, place, scenario_.tracks);
-  if (key == "block" || key == "keepout") return add_block(words, place);
   if (is_fence(key)) return add_fence_record(words, place);
+  if (key == "block") return add_block(words, place);
   if (key == "via") return add_via(words, place);
   if (is_earth_record(key)) return add_earth_record(words, place, scenario_.earth);
   if (key == "fences_within") return add_fence_cover(words, place);
@@ -161,14 +158,6 @@ void ScenarioBuilder::add_via(const std::vector<std::string>& words, const Place
   scenario_.vias.push_back(via);
 }
 
-/// A box to keep out of for a while is a thing that stands there.
-void ScenarioBuilder::add_timed_fence(const std::vector<std::string>& words, const Place& place) {
-  std::vector<std::string> fence = words;
-  const FenceTimes times = take_window(place, fence);
-  if (words.front() != "keepout") return add_fence(fence, place, scenario_.fences, times);
-  scenario_.tracks.push_back(read_timed_keepout(fence, times, scenario_.tracks.size() + 1, place));
-}
-
 /// A cloud does not say what is free.
 void ScenarioBuilder::check_unknown() const {
   if (scenario_.unknown == Unknown::kFree) return;
@@ -178,10 +167,17 @@ void ScenarioBuilder::check_unknown() const {
   throw ScenarioError(choices_[2].place, "'unknown solid' needs an 'octomap', which says what is free");
 }
 
+/// A box to keep out of is a block of voxels; for a while, it is a thing that stands there.
 void ScenarioBuilder::add_fence_record(const std::vector<std::string>& words, const Place& place) {
-  add_fence(words, place, scenario_.fences);
-  if (words.front() == "keepin")
-    boxes_.push_back({"keepin", box_of(numbers(words, place), "keepin", place), place.line});
+  std::vector<std::string> fence = words;
+  const FenceEnd end = take_end(place, fence);
+  if (words.front() == "keepout") {
+    if (!end.has_times()) return add_block(fence, place);
+    return scenario_.tracks.push_back(read_timed_keepout(fence, end, scenario_.tracks.size() + 1, place));
+  }
+  add_fence(fence, place, scenario_.fences, end);
+  if (words.front() != "keepin" || end.has_times()) return;
+  boxes_.push_back({"keepin", box_of(numbers(fence, place), "keepin", place), place.line});
 }
 
 void ScenarioBuilder::add_fence_cover(const std::vector<std::string>& words, const Place& place) {

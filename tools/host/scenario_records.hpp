@@ -57,7 +57,6 @@ class ScenarioBuilder {
   void set_yaw(const std::vector<std::string>& words, const Place& place);
   void add_map_file(const std::vector<std::string>& words, const Place& place);
   void add_via(const std::vector<std::string>& words, const Place& place);
-  void add_timed_fence(const std::vector<std::string>& words, const Place& place);
   void add_fence_cover(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
   void add_fence_record(const std::vector<std::string>& words, const Place& place);

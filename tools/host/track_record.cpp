@@ -171,7 +171,7 @@ void add_track_piece(const Words& words, const Place& place, std::vector<TrackRe
   record->pieces.push_back(piece);
 }
 
-TrackRecord read_timed_keepout(const Words& words, const FenceTimes& times, std::size_t number_of_it,
+TrackRecord read_timed_keepout(const Words& words, const FenceEnd& times, std::size_t number_of_it,
                                const Place& place) {
   const tern::Box box = box_of(numbers(words, place), "keepout", place);
   TrackRecord record;

@@ -32,6 +32,18 @@ bool equal_planes(const HalfSpace& a, const HalfSpace& b) {
 
 }  // namespace
 
+std::string take_zone(Record& record) {
+  const auto zone = std::find(record.words.begin(), record.words.end(), "zone");
+  std::string name;
+  for (auto word = zone; word != record.words.end(); ++word) {
+    if (word != zone) name += (name.empty() ? "" : " ") + *word;
+  }
+  record.words.erase(zone, record.words.end());
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  return name;
+}
+
 std::optional<Window> take_window(Record& record) {
   const auto during = std::find(record.words.begin(), record.words.end(), "during");
   if (during == record.words.end()) return std::nullopt;
@@ -68,6 +80,7 @@ Fence fence_from(const Record& given) {
   Record record = given;
   const std::string& key = record.key();
   Fence result{key.rfind("keepout", 0) != 0, {}};
+  result.zone = take_zone(record);
   result.window = take_window(record);
   if (key == "keepin" || key == "keepout") {
     result.planes = faces_of(box_from(record, record.numbers(1, 6)));
@@ -86,10 +99,16 @@ Fence fence_of(const Json& json) {
   Fence fence{json.at("kind").get<std::string>() == "keep_in", {}};
   for (const Json& plane : json.at("half_spaces")) fence.planes.push_back({point_of(plane), number_of(plane.at(3))});
   if (fence.planes.empty()) throw InputError("a fence has no half-spaces");
+  fence.zone = json.value("zone", "");
   if (!json.contains("from_ns")) return fence;
   const auto seconds = [&](const char* key) { return Rational(json.at(key).get<std::int64_t>()) / 1000000000; };
   fence.window = Window{seconds("from_ns"), seconds("until_ns"), number_of(json.at("clock_error_s"))};
   return fence;
+}
+
+std::string title_of(const std::vector<Fence>& fences, std::size_t f) {
+  const std::string number = "fence " + std::to_string(f + 1);
+  return fences[f].zone.empty() ? number : number + " " + fences[f].zone;
 }
 
 bool same(const Fence& a, const Fence& b) {

@@ -18,6 +18,8 @@ namespace tern_verify {
 bool is_fence(const std::string& key);
 /// Takes `during t0 t1` or `during t0 t1 error` off the end of a record.
 std::optional<Window> take_window(Record& record);
+/// Takes `zone` with a name off the end of a record, before the window. Control characters stay out of terminals.
+std::string take_zone(Record& record);
 /// A record for which is_fence() holds.
 Fence fence_from(const Record& record);
 /// One of a flight's log.
@@ -26,6 +28,9 @@ Fence fence_of(const Json& json);
 /// `fences_within`, a box and a clearance: zones farther from the box than that have no fences. Throws InputError where
 /// the boundary reaches beyond the box, or more is kept from obstacles than the clearance.
 void require_cover(const Record& record, const Box& boundary, const Rational& clearance);
+
+/// "fence 3 Old town": its number, counted from 1, and its name, if it has one.
+std::string title_of(const std::vector<Fence>& fences, std::size_t f);
 
 bool same(const Fence& a, const Fence& b);
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "verify/fence_records.hpp"
 #include "verify/polyhedron.hpp"
 #include "verify/proofs.hpp"
 
@@ -235,7 +236,7 @@ void prove_fences(const Subject& subject, Claims& claims) {
     const Fence& fence = subject.problem.fences[f];
     if (fence.window) continue;
     const Rational granted = fence.keep_in ? tolerance.fence : Rational(tolerance.fence + tolerance.point);
-    claims.push_back(room_claim(subject, "fence " + std::to_string(f + 1), fence, granted));
+    claims.push_back(room_claim(subject, title_of(subject.problem.fences, f), fence, granted));
   }
 }
 

@@ -58,7 +58,7 @@ void prove_fences(const Box& boundary, const Demands& demands, const Commit& com
   for (std::size_t f = 0; f < demands.fences.size(); ++f) {
     if (demands.fences[f].window) continue;
     const FenceRoom room = fence_room(curves, demands.fences[f], boundary);
-    claims.push_back({"fence " + std::to_string(f + 1), "m", room.least, room.most, demands.tolerance,
+    claims.push_back({title_of(demands.fences, f), "m", room.least, room.most, demands.tolerance,
                       place_of(commit.segments, room.curve, room.u)});
   }
 }

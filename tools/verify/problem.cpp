@@ -108,7 +108,9 @@ void add(const Record& record, Problem& problem, Settings& settings) {
   if (is_track_record(record)) {
     add_track_record(record, problem.things);
   } else if (key == "block" || key == "keepout") {
-    problem.blocks.push_back(block_from(record));
+    Record block = record;
+    if (key == "keepout") take_zone(block);
+    problem.blocks.push_back(block_from(block));
   } else if (is_fence(key)) {
     problem.fences.push_back(fence_from(record));
   } else if (key == "via") {

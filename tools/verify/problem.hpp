@@ -43,6 +43,7 @@ struct Fence {
   std::vector<HalfSpace> planes;
   Rational distance = 0;                        ///< that the centre keeps from a keep-out, metres
   std::optional<Window> window = std::nullopt;  ///< none: it always holds
+  std::string zone{};                           ///< its name; empty: none
 };
 
 /// Position and its derivatives up to the jerk.

@@ -120,6 +120,7 @@ void add_piece(const Record& record, std::vector<Thing>& things) {
 
 Thing keep_out_from(const Record& record) {
   Record box = record;
+  take_zone(box);
   const Window window = *take_window(box);
   const Box lies = box_from(record, box.numbers(1, 6));
   Thing thing;

@@ -5,6 +5,7 @@
 // is proven against each keep-out of them, and to be in one of the keep-ins.
 #include <algorithm>
 
+#include "verify/fence_records.hpp"
 #include "verify/fences.hpp"
 #include "verify/proofs.hpp"
 #include "verify/tracks.hpp"
@@ -76,7 +77,7 @@ void prove_keep_out(const FenceTimes& demand, const std::vector<Stretch>& stretc
     if (begin_of(fence) < stretch.to && stretch.from < end_of(fence)) task.add(stretch, {&fence});
   }
   if (task.curves.empty()) return;
-  claims.push_back(task.claim("fence " + std::to_string(f + 1) + " for a while", demand));
+  claims.push_back(task.claim(title_of(demand.fences, f) + " for a while", demand));
 }
 
 void prove_keep_ins(const FenceTimes& demand, const std::vector<Stretch>& stretches, Claims& claims) {

@@ -31,16 +31,23 @@ std::string record(const FittedFence& fence) {
   return line;
 }
 
+/// As the end of a record: a '#' would begin a comment.
+std::string zone_end(const Zone& zone) {
+  std::string name = printable(zone.name, 80);
+  std::replace(name.begin(), name.end(), '#', '-');
+  return name.find_first_not_of(' ') == std::string::npos ? "\n" : " zone " + name + "\n";
+}
+
 std::string entry_text(const AirspaceEntry& entry, const AirspaceSettings& settings) {
   std::string text = "\n# " + printable(entry.zone.name, 80) + ": " + printable(entry.zone.type, 80) +
                      ", off by at most " + fixed(entry.fit.off, 3) + " m in plan, " + fixed(entry.fit.height_off, 3) +
                      " m in height\n";
   for (const FittedFence& fence : entry.fit.fences) {
-    if (entry.spans.empty()) text += record(fence) + "\n";
+    if (entry.spans.empty()) text += record(fence) + zone_end(entry.zone);
     for (const TimeSpan& span : entry.spans) {
       text +=
           record(fence) + " during " + seconds(span.from, *settings.epoch) + " " + seconds(span.until, *settings.epoch);
-      text += (settings.clock_error > 0.0 ? " " + shortest(settings.clock_error) : "") + "\n";
+      text += (settings.clock_error > 0.0 ? " " + shortest(settings.clock_error) : "") + zone_end(entry.zone);
     }
   }
   return text;

@@ -192,7 +192,8 @@ class EndsOfFlight {
       const double gap = fence_gap(fence, end.position);
       const double needed = keeps_out ? radius_of(world_.settings) : 0.0;
       if (gap >= needed - end.tolerance - kFenceError) continue;
-      const std::string of = "'" + fence.key + "' of line " + std::to_string(fence.place.line);
+      const std::string of = "'" + fence.key + "' of line " + std::to_string(fence.place.line) +
+                             (fence.zone.empty() ? "" : " (" + fence.zone + ")");
       if (!keeps_out) refuse(end, "it is " + fixed(-gap, 2) + " m outside of the " + of);
       const std::string where = gap > 0.0 ? fixed(gap, 2) + " m from the " : "in the ";
       refuse(end, "it is " + where + of + ", which must be " + needed_text(world_.settings));

@@ -150,8 +150,8 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
     world.things.push_back(read_thing(words, place));
   } else if (is_fence(key)) {
     Words fence = words;
-    const FenceTimes times = take_window(place, fence);
-    add_fence(fence, place, world.fences, times);
+    const FenceEnd end = take_end(place, fence);
+    add_fence(fence, place, world.fences, end);
     if (exceeds_capacity(world.fences)) {
       throw RecordError(place, "more fences or half-spaces than a flight takes (TERN_MAX_FENCES " +
                                    std::to_string(tern::kMaxFences) + ", TERN_MAX_FENCE_PLANES " +
@@ -195,7 +195,7 @@ void note_box(const Words& words, const Place& place, const FlightWorld& world, 
   if (key == "cylinder") boxes.push_back({"cylinder", box_around(world.cylinders.back()), place.line});
   if (key == "keepin" || key == "keepout") {
     Words box = words;
-    take_window(place, box);
+    take_end(place, box);
     boxes.push_back({key == "keepin" ? "keepin" : "keepout", box_of(numbers(box, place), key, place), place.line});
   }
   if (key != "appear") return;
