@@ -267,6 +267,28 @@ TEST(PlanFile, FindingsInWords) {
   EXPECT_EQ(tern_host::describe_finding({}), "");
 }
 
+TEST(PlanFile, SaysUntilWhenTheStartIsClosed) {
+  // Two zones that the start is in, one after the other, and one that is elsewhere.
+  const std::string map =
+      "boundary 0 0 0 40 40 10\nstart 5 5 5\ngoal 35 35 5\nresolution 0.5\nradius 0.5\n"
+      "keepout_halfspaces -1 0 0 -2 1 0 0 8 0 -1 0 -2 0 1 0 8 during -10 60 1 zone Market\n"
+      "keepout_halfspaces -1 0 0 -2 1 0 0 8 0 -1 0 -2 0 1 0 8 during 50 90.5 zone Fair\n"
+      "keepout_halfspaces -1 0 0 -30 0 1 0 10 during 0 500 zone Port\n";
+  tern_host::Session session;
+  const auto detail = [&](const std::string& more) {
+    const tern_host::PlanResult result = session.plan(tern_host::parse_scenario(map + more, "map.txt"));
+    return result.ok() ? "" : describe_status(result);
+  };
+  const std::string closed = detail("epoch 2026-03-02T09:00:00Z\n");
+  EXPECT_NE(closed.find("(Market), 0 s after the beginning; it is closed until 61.000 s of the clock "
+                        "(2026-03-02T09:01:01Z); the start is in it: it is free at 90.500 s of the clock "
+                        "(2026-03-02T09:01:31Z). Begin then (start_time 90.5), or elsewhere"),
+            std::string::npos)
+      << closed;
+  EXPECT_NE(detail("start_time 90.4\n").find("start_time 90.5"), std::string::npos);
+  EXPECT_EQ(detail("start_time 90.5\n"), "") << "a plan, after all";
+}
+
 TEST(PlanFile, InvalidUtf8InANameStaysJson) {
   PlanResult result = awkward_result(4);
   result.scenario.name = "bad\xff.txt";

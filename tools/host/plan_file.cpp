@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host/closed_start.hpp"
 #include "host/finding_text.hpp"
 #include "host/number.hpp"
 #include "host/occupied_text.hpp"
@@ -229,7 +230,7 @@ std::string describe_failure(const PlanResult& result) {
     if (report.track >= 0) text += "; track: " + track_name(result);
     text += ", " + brief(report.conflict) + " s after the beginning" + free_text(report);
   }
-  text += describe_occupied(result) + result.closed_way;
+  text += describe_closed_start(result) + describe_occupied(result) + result.closed_way;
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
   return text + finding_text(result);

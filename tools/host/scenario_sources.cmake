@@ -4,7 +4,7 @@
 # Sources of tern_scenario, from this folder: scenarios, sessions, plan files and the page's data of a plan. The demo for
 # browsers compiles them as well, so they may use nlohmann-json and nothing else that has to be installed.
 set(tern_scenario_sources
-  atomic_file.cpp earth_frame.cpp fence_choice.cpp fence_cover.cpp fence_record.cpp figures.cpp finding_text.cpp
+  atomic_file.cpp closed_start.cpp earth_frame.cpp fence_choice.cpp fence_cover.cpp fence_record.cpp figures.cpp finding_text.cpp
   grid_layout.cpp instant.cpp nearest_fence.cpp number.cpp occupied_text.cpp plan_file.cpp scenario.cpp scenario_records.cpp session.cpp text_records.cpp track_record.cpp track_sample.cpp
   via_record.cpp
   map/byte_reader.cpp map/cloud_file.cpp map/cloud_table.cpp map/known_space.cpp map/map_files.cpp map/map_warnings.cpp

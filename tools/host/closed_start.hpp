@@ -1,0 +1,18 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_HOST_CLOSED_START_HPP
+#define TERN_HOST_CLOSED_START_HPP
+
+#include <string>
+
+#include "host/session.hpp"
+
+namespace tern_host {
+
+/// Where there is no plan because of a fence for a while: until when it is closed and, if the start is in it, when a
+/// plan may begin. Begins with a semicolon; empty for other answers.
+std::string describe_closed_start(const PlanResult& result);
+
+}  // namespace tern_host
+
+#endif
