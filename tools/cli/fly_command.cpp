@@ -138,6 +138,9 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
   if (!result.reached()) print_in_vain(result.looked_in_vain);
   if (!world.vias.empty()) print_mission(result);
   print_things(world, result.things);
+  if (result.far.searches > 0) {
+    std::printf("far way: %d sought, %d cells marked\n", result.far.searches, result.far.marked);
+  }
   if (result.view_wait > 0.0) std::printf("the field of view slowed the flight for %.2f s\n", result.view_wait);
   std::printf("least clearance %.3f m\n", result.min_clearance);
   print_tracking(result, world.settings.tracking_margin);

@@ -15,8 +15,9 @@ namespace {
 
 /// Limits that are valid: a way has no speed.
 constexpr Limits kAnyLimits{{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}};
-/// In coarse cells: steps of a look along the way, how far a near goal is ahead at least, and how much further a new
-/// one is than the last.
+/// In coarse cells: steps of a look along the way, and how far the vehicle gets on from one look to the next; how far a
+/// near goal is ahead at least; and how much further a new one is than the last. So a look that finds none is always
+/// followed by another one before the vehicle is at the near goal.
 constexpr double kLookStep = 0.5;
 constexpr double kLeast = 2.0;
 constexpr double kFurther = 1.0;
@@ -185,7 +186,7 @@ FarWay::Point FarWay::furthest_in_sight() noexcept {
 /// True if there is a new one.
 bool FarWay::choose_near_goal() noexcept {
   const double cell = coarse_->spec().cell;
-  if (is_last_ || (near_at_ > 0.0 && done_ < looked_ + cell)) return false;
+  if (is_last_ || (near_at_ > 0.0 && done_ < looked_ + kLookStep * cell)) return false;
   looked_ = done_;
   const Point found = furthest_in_sight();
   if (found.is_end) return lead_to_goal(FarState::kLeads);

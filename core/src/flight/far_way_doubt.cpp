@@ -34,10 +34,11 @@ std::uint64_t between(std::int64_t from, std::int64_t to) {
 bool FarWay::follow(bool gave_up, const RollingMap& map, std::int64_t t) noexcept {
   if (state_ != FarState::kLeads) return false;
   get_on(t);
+  if (choose_near_goal()) return true;
   const bool has_time = between(since_, t) < static_cast<std::uint64_t>(spec_.patience);
   const bool is_stuck = gave_up && !is_last_;
   const bool is_doubtful = is_stuck || (!has_time && left() > kAtEnd * coarse_->spec().cell);
-  if (!is_doubtful || !has_grid(map)) return choose_near_goal();
+  if (!is_doubtful || !has_grid(map)) return false;
   since_ = t;
   begin_learning(is_stuck, map);
   return false;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "host/flight/city_worlds.hpp"
 #include "host/flight/indoor_worlds.hpp"
 #include "host/flight/mission_worlds.hpp"
 #include "host/flight/outdoor_worlds.hpp"
@@ -216,6 +217,8 @@ std::string obstacles_text(const std::string& family, Noise& random) {
     case 'I':
     case 'D':
       return mission_text(family[0], random);
+    case 'Y':
+      return city_text(random);
     case 'W':
     case 'U':
     case 'N':

@@ -76,6 +76,7 @@ Json settings_json(const FlightSettings& s) {
           {"yaw", s.yaw},
           {"tick_hz", s.tick_hz},
           {"work_per_tick", s.work_per_tick},
+          {"far_cell", s.far_cell},
           {"time_limit", s.time_limit},
           {"goal_tolerance", s.goal_tolerance},
           {"tracking", s.tracking},
@@ -229,6 +230,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);
   if (result.contact.happened) json["contact"] = contact_json(result.contact);
   if (!world.things.empty()) json["things"] = things_json(world, result);
+  if (result.far.searches > 0) json["far"] = {{"searches", result.far.searches}, {"marked", result.far.marked}};
   if (result.full_knowledge > 0.0) json["full_knowledge_s"] = result.full_knowledge;
   if (with_commits) {
     json["true_world"] = true_world_json(world);

@@ -6,6 +6,7 @@
 #include "host/fence_record.hpp"
 #include "host/flight/air_records.hpp"
 #include "host/flight/detection_records.hpp"
+#include "host/flight/far_guide.hpp"
 #include "host/flight/fault_records.hpp"
 #include "host/flight/flight_pads.hpp"
 #include "host/flight/flight_world.hpp"
@@ -85,6 +86,7 @@ Setters all_setters() {
                  {"yaw", set_yaw},
                  {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
                  {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
+                 {"far_cell", real(&S::far_cell, 0.0, 1000.0)},
                  {"time_limit", real(&S::time_limit, 0.1, kLongestFlight)},
                  {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
                  {"window", set_window},
@@ -142,6 +144,9 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
     world.boundary = box_of(numbers(words, place), key, place);
   } else if (key == "block") {
     world.blocks.push_back(block_box(words, place));
+  } else if (key == "unmapped") {
+    world.unmapped.push_back(world.blocks.size());
+    world.blocks.push_back(block_box(words, place));
   } else if (key == "cylinder") {
     world.cylinders.push_back(read_cylinder(words, place));
   } else if (key == "appear") {
@@ -192,6 +197,7 @@ tern::Box box_around(const Cylinder& c) {
 void note_box(const Words& words, const Place& place, const FlightWorld& world, std::vector<BoxRecord>& boxes) {
   const std::string& key = words[0];
   if (key == "block") boxes.push_back({"block", world.blocks.back(), place.line});
+  if (key == "unmapped") boxes.push_back({"unmapped", world.blocks.back(), place.line});
   if (key == "cylinder") boxes.push_back({"cylinder", box_around(world.cylinders.back()), place.line});
   if (key == "keepin" || key == "keepout") {
     Words box = words;
@@ -284,6 +290,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   if (world.landing.speed > 0.0 && (!world.vias.empty() || world.settings.goal_jitter.size > 0.0)) {
     throw RecordError({path, 0}, "land is for worlds without vias, and without goal_jitter");
   }
+  refuse_far_way(world, {path, 0});
   place_goal(world, {path, 0});
   world.column.base.x = world.start.x;
   world.column.base.y = world.start.y;

@@ -111,6 +111,7 @@ struct FlightSettings {
   double tick_hz = 100.0;
   int work_per_tick = 4000;
   double time_limit = 120.0;
+  double far_cell = 0.0;  ///< of the coarse grid that leads the flight (far_guide.hpp), metres; 0: none does
   double goal_tolerance = 0.01;
   std::string tracking = "bounded";  ///< a kind of vehicle (vehicle.hpp)
   int monitor = -1;                  ///< 1: the flight is told where the vehicle is; negative in a file that does not
@@ -175,6 +176,7 @@ struct GoalOnGround {
 struct FlightWorld {
   std::string name;  ///< the file's
   std::vector<tern::Box> blocks;
+  std::vector<std::size_t> unmapped;  ///< blocks that a coarse grid of the world does not know
   std::vector<Cylinder> cylinders;
   std::vector<Appearance> appearing;
   std::vector<Thing> things;  ///< that move

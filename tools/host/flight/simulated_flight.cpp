@@ -85,6 +85,7 @@ class Simulation {
     result.appeared = faults_.appeared();
     result.contact = contact_;
     result.things = things_.totals();
+    if (far_ != nullptr) result.far = far_->totals();
     const FrameWatch& frames = sensor_.watch();
     result.watched = {counts.ticks,  counts.commits, counts.points, frames.seen(),
                       frames.hits(), counts.slivers, counts.snap};
@@ -127,6 +128,7 @@ class Simulation {
                                describe_refusal(refusal));
     }
     set_wishes();
+    if (world_.settings.far_cell > 0.0) far_ = std::make_unique<FarGuide>(world_);
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
     watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, commands_);
     threats_ = std::make_unique<ThreatWatch>(world_.settings, spec_, map_, watch_->rooms(), commands_,
@@ -217,6 +219,7 @@ class Simulation {
     sensor_.deliver(time_);
     things_.tell(time_, flight_, tape_);
     move_goal();
+    lead();
     if (world_.settings.monitor > 0) tape_.note_position(flight_, vehicle_->estimate(), time_);
     watch_->before(time_);
     const tern::Status ticked = flight_.tick(time_, report_);
@@ -241,6 +244,13 @@ class Simulation {
     mission_->move_goal(goal, time_);
   }
 
+  /// A far way gives the flight near goals.
+  void lead() {
+    if (far_ == nullptr || !far_->tick(vehicle_->estimate(), report_, map_, time_)) return;
+    tape_.recorder().set_goal(far_->goal(), flight_.set_goal(far_->goal()));
+    mission_->move_goal(far_->goal(), time_);
+  }
+
   /// Poses are off by more than their margin: the map's world is not the true one.
   void forget_world() {
     watch_->forget_world();
@@ -258,6 +268,7 @@ class Simulation {
                                yaw_watch_->broken() + things_.broken();
     if (!broken.empty()) return {"invariant", broken};
     if (report_.mode != tern::FlightMode::kRest || report_.reason == tern::FlightReason::kNone) return {};
+    if (far_ != nullptr && !far_->is_last()) return {};
     const std::string reason = tern::flight_reason_text(report_.reason);
     const bool lands = world_.landing.speed > 0.0;
     const auto end = lands ? tern::FlightReason::kLanded : tern::FlightReason::kArrived;
@@ -340,6 +351,7 @@ class Simulation {
   std::unique_ptr<MissionWatch> mission_;
   std::unique_ptr<YawWatch> yaw_watch_;
   ThingsInFlight things_;
+  std::unique_ptr<FarGuide> far_;  ///< null: nothing leads the flight
   SeenWorld seen_;
   Sensor sensor_;
   std::int64_t time_ = 0;

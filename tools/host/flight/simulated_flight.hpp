@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/flight/far_guide.hpp"
 #include "host/flight/flight_contact.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/narrow_place.hpp"
@@ -91,6 +92,7 @@ struct FlightResult {
   std::vector<Appearance> appeared;  ///< with the time when each did
   FlightContact contact;
   ThingTotals things;
+  FarTotals far;
   std::vector<TrackPoint> track;  ///< one a tick
   std::string samples;            ///< CSV, one row a tick
 

@@ -65,7 +65,8 @@ constexpr Flown kFamilies[] = {{"P49", 5.0, 10.0},
                                {"MF", 3.0, 10.0},
                                {"HU", 4.0, 10.0, 8.0, 30.0},
                                {"B50", 3.5, 10.0, 8.0, 0.0},
-                               {"B100", 3.5, 10.0, 8.0, 0.0}};
+                               {"B100", 3.5, 10.0, 8.0, 0.0},
+                               {"Y", 8.0, 20.0}};
 
 const Flown* find_family(const std::string& name) {
   for (const Flown& family : kFamilies) {

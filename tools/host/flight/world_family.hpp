@@ -20,8 +20,8 @@ struct FamilyMember {
 
 /// P49, P36, P25, P12: forests of thin trees. S05, S10, S20: thick cylinders. C: a hidden corner. B: a bug trap. O: a
 /// storey with doors. M: a maze. L, G, I, D: missions. V, F, H, T30, E, R, W, N, Q, X, U: for a camera that is fixed to
-/// the body. T1-50 to T1-250, T4, T5-50 to T5-200, B50, B100, CW, RX, MF, HU: things move. docs/simulator.md describes
-/// them.
+/// the body. T1-50 to T1-250, T4, T5-50 to T5-200, B50, B100, CW, RX, MF, HU: things move. Y: a city. docs/simulator.md
+/// describes them.
 const std::vector<std::string>& family_names();
 
 /// True where the text names a family, with or without a speed. The seed stays as it was.
