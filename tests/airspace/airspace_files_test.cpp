@@ -130,6 +130,18 @@ TEST(Airspace, NamesThatMeanNoZoneOrSeveralAreRefused) {
   EXPECT_NE(name_refusal({"x"}, files).find("'zone 10' and 3 more"), std::string::npos) << name_refusal({"x"}, files);
 }
 
+TEST(Airspace, SaysWhatBecomesOfAHoldAtTheFirstPoint) {
+  std::string plan = content("mission.plan");
+  const std::string takeoff = "\"command\": 22, \"frame\": 3, \"autoContinue\": true, \"doJumpId\": 1, \"params\": [0,";
+  const std::string hold = "\"command\": 16, \"frame\": 3, \"autoContinue\": true, \"doJumpId\": 1, \"params\": [5,";
+  ASSERT_NE(plan.find(takeoff), std::string::npos);
+  plan.replace(plan.find(takeoff), takeoff.size(), hold);
+  const Airspace airspace = tern_host::make_airspace({tern_host::parse_airspace(plan, "a")}, lake_settings());
+  EXPECT_NE(fences_text(airspace).find("\n# held for 5 s before: begin that much later (start_time)\nvia"),
+            std::string::npos);
+  EXPECT_NE(airspace_table(airspace).find(", 5 s before the plan begins\n"), std::string::npos);
+}
+
 TEST(Airspace, WritesRecordsOfAScenario) {
   AirspaceSettings settings = lake_settings();
   settings.epoch = tern_host::parse_instant("2026-03-01T08:00:00Z");

@@ -97,11 +97,14 @@ TEST(IntentFrame, HeightsMayBeAboveMeanSeaLevel) {
 
 TEST(IntentFrame, GoesThroughScenarioAndPlan) {
   const std::string text =
-      "frame 47.366 8.54 455\nepoch 2026-03-02T09:00:00Z\nboundary 0 0 0 4 3 2\nstart 1 1 1\ngoal 3 2 1\n";
+      "frame 47.366 8.54 455\nepoch 2026-03-02T09:00:00Z\nboundary 0 0 0 4 3 2\nstart 1 1 1\ngoal 3 2 1\nrest_clear "
+      "7\n";
   tern_host::Session session;
   const tern_host::PlanResult result = session.plan(tern_host::parse_scenario(text, "s.txt"));
   ASSERT_TRUE(result.ok());
   const tern_host::TimedPath path = tern_host::parse_timed_path(plan_json(result), "p.json");
+  EXPECT_EQ(path.rest, 7.0);
+  EXPECT_EQ(timed_path_of(result).rest, 7.0);
   for (const EarthFrame& earth : {path.earth, timed_path_of(result).earth}) {
     ASSERT_TRUE(earth.origin.has_value());
     EXPECT_EQ(earth.origin->latitude, 47.366);

@@ -35,7 +35,7 @@ struct IntentOptions {
   double height_amsl = NAN;
   double undulation = NAN;
   tern_host::ToldFrame told;
-  double rest = 0.0;
+  double rest = NAN;
   tern_host::TubeSettings tube;
   double longest_delay = 3600.0;
   tern_host::UtmEntity intent;
@@ -69,7 +69,7 @@ void check_options(IntentOptions& options) {
     throw std::runtime_error("--operators names each intent after its scenario's file: leave out --id");
   }
   check_frame(options);
-  if (!(options.rest >= 0.0 && options.rest <= 86400.0)) throw std::runtime_error("--rest must be 0 to 86400 s");
+  if (options.rest < 0.0 || options.rest > 86400.0) throw std::runtime_error("--rest must be 0 to 86400 s");
   if (!(options.longest_delay >= 0.0 && options.longest_delay <= 1e6)) {
     throw std::runtime_error("--longest-delay must be 0 to 1000000 s");
   }
@@ -119,13 +119,19 @@ tern_host::IntentFrame frame_of(IntentOptions& options, const tern_host::EarthFr
   return frame;
 }
 
+/// The vehicle stays as long as the plan's end is clear, unless it is told otherwise.
+double rest_of(const IntentOptions& options, double in_file) {
+  return std::isnan(options.rest) ? in_file : options.rest;
+}
+
 int show_plan(IntentOptions& options) {
   std::vector<std::string> inputs = options.others;
   inputs.push_back(options.plan);
   check_output_paths(inputs, {options.json});
   tern_host::TimedPath path = tern_host::read_timed_path(options.plan);
   const tern_host::IntentFrame frame = frame_of(options, path.earth, options.plan);
-  if (options.rest > 0.0) path = tern_host::with_rest(path, options.rest);
+  const double rest = rest_of(options, path.rest);
+  if (rest > 0.0) path = tern_host::with_rest(path, rest);
   options.intent.volumes = tern_host::tube_volumes(path, frame.heights.frame(), options.tube);
   return report(options, options.intent, read_others(options.others), frame.heights, {});
 }
@@ -142,7 +148,7 @@ int show_scenario(IntentOptions& options) {
   tern_host::Session session;
   const std::vector<tern_host::Proposal> proposals =
       tern_host::proposals_of(session, scenario, options.intent, others, frame.heights.frame(),
-                              {options.tube, options.rest, options.longest_delay});
+                              {options.tube, rest_of(options, scenario.rest_clear), options.longest_delay});
   const tern_host::Proposal* const best = tern_host::best_of(proposals);
   std::FILE* const to = best == nullptr ? stderr : stdout;
   std::fputs(tern_host::proposals_text(proposals).c_str(), to);
@@ -172,8 +178,9 @@ int show_operators(IntentOptions& options) {
     tern_host::check_same_frame(earth, scenarios[i].earth, options.operators[i]);
     tern_host::UtmEntity like = options.intent;
     like.id = options.operators[i];
-    operators.emplace_back(scenarios[i], like, frame,
-                           tern_host::ReplanSettings{options.tube, options.rest, options.longest_delay});
+    operators.emplace_back(
+        scenarios[i], like, frame,
+        tern_host::ReplanSettings{options.tube, rest_of(options, scenarios[i].rest_clear), options.longest_delay});
   }
   std::string log;
   const bool all = tern_host::plan_until_accepted(operators, store, kRounds, log);
@@ -212,7 +219,8 @@ void add_tube_options(CLI::App& command, IntentOptions& options) {
   command.add_option("--longest", options.tube.longest, "How much of the plan a volume may hold, s")
       ->capture_default_str();
   command.add_option("--clock-error", options.tube.clock_error, "By how many seconds the vehicle's clock may be off");
-  command.add_option("--rest", options.rest, "How long the vehicle stays where the plan ends, s");
+  command.add_option("--rest", options.rest,
+                     "How long the vehicle stays where the plan ends, s (default: rest_clear of the plan or scenario)");
 }
 
 void add_scenario_options(CLI::App& command, IntentOptions& options) {

@@ -271,6 +271,7 @@ std::string plan_json(const PlanResult& result) {
   const tern::Report& report = result.report;
   if (scenario.earth.is_known()) plan["frame"] = earth_json(scenario.earth);
   add_tracks(result, plan);
+  if (scenario.rest_clear > 0.0) plan["rest_clear"] = scenario.rest_clear;
   if (!scenario.vias.empty()) plan["vias"] = vias_json(result);
   if (report.finer_cell > 0.0) plan["finer_resolution"] = report.finer_cell;
   if (report.has_reachable) plan["reachable"] = json(report.reachable);

@@ -110,6 +110,15 @@ std::string capacity_text(const Airspace& airspace) {
   return text + "\n";
 }
 
+/// What becomes of a hold: at a via, the plan has it.
+std::string hold_text(const std::vector<LocalPoint>& points, std::size_t i) {
+  if (!(points[i].dwell > 0.0)) return "";
+  const char* const end = i == 0                   ? " before the plan begins"
+                          : i + 1 == points.size() ? " after it ends: rest_clear"
+                                                   : "";
+  return ", " + brief(points[i].dwell) + " s" + end;
+}
+
 }  // namespace
 
 std::string airspace_table(const Airspace& airspace) {
@@ -125,8 +134,7 @@ std::string airspace_table(const Airspace& airspace) {
   for (std::size_t i = 0; i < airspace.points.size(); ++i) {
     const tern::Vec3& p = airspace.points[i].position;
     text += "  mission point " + std::to_string(i + 1) + ": " + fixed(p.x, 2) + " " + fixed(p.y, 2) + " " +
-            fixed(p.z, 2) + (airspace.points[i].dwell > 0.0 ? ", " + brief(airspace.points[i].dwell) + " s" : "") +
-            "\n";
+            fixed(p.z, 2) + hold_text(airspace.points, i) + "\n";
   }
   for (const LocalPoint& p : airspace.rally) {
     text +=

@@ -57,6 +57,14 @@ std::string xyz(const tern::Vec3& p) {
   return fixed(p.x, 3) + " " + fixed(p.y, 3) + " " + fixed(p.z, 3);
 }
 
+/// Holds at the ends: a plan begins after the first, and stays where it ends for the last.
+std::string hold_text(const LocalPoint& p, bool at_start) {
+  if (!(p.dwell > 0.0)) return "";
+  const std::string seconds = shortest(p.dwell);
+  return at_start ? "# held for " + seconds + " s before: begin that much later (start_time)\n"
+                  : "rest_clear " + seconds + "  # held for so long\n";
+}
+
 /// The first point is the start and the last the goal.
 std::string mission_text(const Airspace& airspace) {
   std::string text;
@@ -65,7 +73,7 @@ std::string mission_text(const Airspace& airspace) {
   for (std::size_t i = 0; i < count; ++i) {
     const LocalPoint& p = airspace.points[i];
     if (i == 0 || (i + 1 == count && count > 1)) {
-      text += (i == 0 ? "start " : "goal ") + xyz(p.position) + "\n";
+      text += (i == 0 ? "start " : "goal ") + xyz(p.position) + "\n" + hold_text(p, i == 0);
       continue;
     }
     text += "via " + xyz(p.position);

@@ -42,6 +42,7 @@ TimedPath path_of(const JsonNode& plan) {
   if (plan.text_or("format", "") != "tern-plan/1") plan.refuse("its 'format' is not 'tern-plan/1'");
   if (plan.text_or("status", "") != "ok") plan.refuse("it has no trajectory: its 'status' is not 'ok'");
   TimedPath path{"", {}, length_of(plan.at("robot_radius")) + length_of(plan.at("tracking_margin")), {}};
+  if (plan.has("rest_clear")) path.rest = length_of(plan.at("rest_clear"));
   if (plan.has("frame")) path.earth = earth_of(plan.at("frame"));
   double begin = plan.has("start_time") ? plan.at("start_time").number() : 0.0;
   for (const JsonNode& segment : plan.at("segments").items()) {
@@ -67,7 +68,8 @@ TimedPath read_timed_path(const std::string& path) {
 }
 
 TimedPath timed_path_of(const PlanResult& result) {
-  TimedPath path{result.scenario.name, {}, result.scenario.clearance(), result.scenario.earth};
+  TimedPath path{
+      result.scenario.name, {}, result.scenario.clearance(), result.scenario.earth, result.scenario.rest_clear};
   const tern::Trajectory& trajectory = result.trajectory;
   double begin = result.scenario.start_time;
   for (int i = 0; i < trajectory.count; ++i) {

@@ -26,6 +26,7 @@ struct TimedPath {
   std::vector<PathPiece> pieces;
   double radius;       ///< of the tube about the way that the vehicle stays in: radius and tracking margin, m
   EarthFrame earth{};  ///< where the world frame is, if the plan says so
+  double rest = 0.0;   ///< for how long the vehicle stays at the end, as the plan says, s; not in the pieces
 };
 
 /// Of a plan file ("tern-plan/1", docs/formats.md). Throws RecordError.
