@@ -84,6 +84,33 @@ TEST(AirspaceErrors, OfGeozones) {
   expect_error(spoiled("geozones.ed318.json", "\"uom\": \"m\"", "\"uom\": 1"), "layer/uom: this must be a text");
 }
 
+/// With each of all such members misspelt.
+std::string misspelt(std::string text, const std::string& member, const std::string& as) {
+  for (std::size_t at = text.find(member); at != std::string::npos; at = text.find(member, at + 1)) {
+    text.replace(at, member.size(), as);
+  }
+  return text;
+}
+
+TEST(AirspaceErrors, OfMisspeltMembers) {
+  const std::string older = content("geozones.ed269.json"), newer = content("geozones.ed318.json");
+  expect_error(misspelt(older, "\"identifier\"", "\"identifer\""),
+               "at /features/0: 'identifier' is missing; is 'identifer' meant for it?");
+  expect_error(misspelt(older, "\"restriction\"", "\"restrictions\""),
+               "at /features/0: 'restriction' is missing; is 'restrictions' meant for it?");
+  expect_error(misspelt(older, "\"horizontalProjection\"", "\"horizontalProyection\""),
+               "at /features/0/geometry/0: 'horizontalProjection' is missing; is 'horizontalProyection' meant for it?");
+  expect_error(misspelt(newer, "\"identifier\"", "\"identifer\""),
+               "at /features/0/properties: 'identifier' is missing; is 'identifer' meant for it?");
+  expect_error(misspelt(newer, "\"type\": \"REQ", "\"typ\": \"REQ"),
+               "at /features/0/properties: 'type' is missing; is 'typ' meant for it?");
+  expect_error(misspelt(older, "\"identifier\"", "\"id\""), "at /features/0: 'identifier' is missing");
+  EXPECT_EQ(tern_host::parse_airspace(spoiled("geozones.ed318.json", "\"country\"", "\"county\""), "a").zones[0].name,
+            "NFZ1 Station")
+      << "a country is not needed";
+  EXPECT_EQ(tern_host::parse_airspace(content("zones.geojson"), "a").format, "GeoJSON");
+}
+
 TEST(AirspaceErrors, OfVolumes) {
   expect_error(spoiled("volumes.f3548.json", "\"W84\"", "\"SFC\""), "altitude_lower/reference: this must be 'W84'");
   expect_error(spoiled("volumes.f3548.json", "\"units\": \"M\"", "\"units\": \"FT\""),

@@ -142,6 +142,23 @@ TEST(Airspace, SaysWhatBecomesOfAHoldAtTheFirstPoint) {
   EXPECT_NE(airspace_table(airspace).find(", 5 s before the plan begins\n"), std::string::npos);
 }
 
+TEST(Airspace, ZonesThatSayNoTimesHoldAlways) {
+  const auto first = [](const std::string& applicability) {
+    std::string text = content("geozones.ed269.json");
+    const std::string permanent = "[{\"permanent\": \"YES\"}]";
+    text.replace(text.find(permanent), permanent.size(), applicability);
+    return tern_host::parse_airspace(text, "a").zones[0];
+  };
+  const std::string said = "it says no times when it applies: taken for always";
+  for (const char* none : {"[{\"permanent\": \"NO\"}]", "[{\"permanent\": \"NO\", \"schedule\": []}]", "[{}]"}) {
+    EXPECT_TRUE(first(none).times.empty()) << none;
+    EXPECT_EQ(first(none).notes, std::vector<std::string>{said}) << none;
+  }
+  const std::string dated = "{\"permanent\": \"NO\", \"startDateTime\": \"2026-01-05T00:00:00Z\"}";
+  EXPECT_EQ(first("[" + dated + "]").times.size(), 1u);
+  EXPECT_TRUE(first("[" + dated + ", {\"permanent\": \"NO\"}]").times.empty()) << "one period of all is always";
+}
+
 TEST(Airspace, WritesRecordsOfAScenario) {
   AirspaceSettings settings = lake_settings();
   settings.epoch = tern_host::parse_instant("2026-03-01T08:00:00Z");

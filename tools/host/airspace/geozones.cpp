@@ -74,10 +74,18 @@ void read_name(const JsonNode& node, Zone& zone) {
   if (!name.empty()) zone.aliases.push_back(name);
 }
 
+/// A period that says nothing is for good: on the safe side.
+void add_times(const JsonNode& period, Zone& zone, bool& always) {
+  const Applicability when = dates(period);
+  if (when.from || when.until || !when.schedule.empty()) return zone.times.push_back(when);
+  zone.notes.push_back("it says no times when it applies: taken for always");
+  always = true;
+}
+
 void read_ed269_times(const JsonNode& period, Zone& zone, bool& always) {
   const std::string permanent = period.text_or("permanent", "NO");
   if (permanent != "YES" && permanent != "NO") period.at("permanent").refuse("this must be YES or NO");
-  if (permanent == "NO") return zone.times.push_back(dates(period));
+  if (permanent == "NO") return add_times(period, zone, always);
   if (period.has("schedule") && period.at("schedule").size() > 0) {
     zone.notes.push_back("it is permanent and has a schedule: taken for permanent");
   }
@@ -162,7 +170,9 @@ void read_ed318_feature(const JsonNode& feature, AirspaceFile& file) {
     return;
   }
   if (properties.has("limitedApplicability")) {
-    for (const JsonNode& period : properties.at("limitedApplicability").items()) zone.times.push_back(dates(period));
+    bool always = false;
+    for (const JsonNode& period : properties.at("limitedApplicability").items()) add_times(period, zone, always);
+    if (always) zone.times.clear();
   }
   const JsonNode geometry = feature.at("geometry");
   if (geometry.at("type").text() != "GeometryCollection") return read_ed318_geometry(geometry, zone, file);

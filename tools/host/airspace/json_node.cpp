@@ -34,6 +34,32 @@ namespace {
                     "not JSON: wrong at column " + std::to_string(at - begin + 1) + ", '" + near + "'" + end);
 }
 
+/// How many characters must be added, dropped or replaced to make one of the other.
+std::size_t edits_between(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+/// "; is 'identifer' meant?" for a key that is nearly the one that is missing.
+std::string misspelt_text(const nlohmann::json& object, const std::string& key) {
+  constexpr std::size_t kLongestKey = 40, kMostEdits = 2;
+  for (const auto& member : object.items()) {
+    const bool alike = member.key().size() <= kLongestKey && edits_between(member.key(), key) <= kMostEdits;
+    if (alike) return "; is " + quote(member.key()) + " meant for it?";
+  }
+  return "";
+}
+
 }  // namespace
 
 nlohmann::json parse_json(const std::string& bytes, const std::string& file, const std::string& advice) {
@@ -58,7 +84,7 @@ bool JsonNode::has(const char* key) const {
 
 JsonNode JsonNode::at(const char* key) const {
   if (!value_->is_object()) refuse("this is no object, so it has no '" + std::string(key) + "'");
-  if (!has(key)) refuse("'" + std::string(key) + "' is missing");
+  if (!has(key)) refuse("'" + std::string(key) + "' is missing" + misspelt_text(*value_, key));
   return {(*value_)[key], file_, path_ + "/" + key};
 }
 

@@ -10,14 +10,21 @@
 namespace tern_host {
 namespace {
 
+/// By what no other GeoJSON has, so that a misspelt member is refused as one of ED-318: as GeoJSON, circles and
+/// heights would not be read.
 bool is_geozone(const JsonNode& feature) {
-  return feature.has("properties") && feature.at("properties").has("identifier") &&
-         feature.at("properties").has("country") && feature.at("properties").has("type");
+  if (feature.has("geometry") && feature.at("geometry").has("layer")) return true;
+  if (!feature.has("properties")) return false;
+  const JsonNode properties = feature.at("properties");
+  return properties.has("zoneAuthority") || properties.has("limitedApplicability") ||
+         (properties.has("identifier") && properties.has("country") && properties.has("type"));
 }
 
-/// Features of ED-269 are none of GeoJSON: they have no type.
+/// By what no GeoJSON has, likewise.
 bool is_ed269(const JsonNode& feature) {
-  return feature.has("identifier") && feature.has("restriction");
+  if (feature.has("identifier") && feature.has("restriction")) return true;
+  const bool is_feature = feature.has("type") && feature.at("type").is_text() && feature.at("type").text() == "Feature";
+  return !is_feature && (feature.has("identifier") || feature.has("restriction") || feature.has("applicability"));
 }
 
 /// GeoJSON may have any other keys as well.
