@@ -91,6 +91,10 @@ std::string exact(double value) {
 }
 
 std::string shortest(double value) {
+  // A round number is written out: 1000, not 1e+03.
+  constexpr double kWrittenOut = 1e9;
+  const bool is_round = std::fabs(value) < kWrittenOut && value == std::trunc(value);
+  if (is_round) return brief(value);
   for (int digits = 1; digits < 17; ++digits) {
     std::ostringstream out;
     out.imbue(std::locale::classic());

@@ -29,7 +29,8 @@ std::string brief(double value);
 /// `value` with 17 significant digits: reads back to the same bits.
 std::string exact(double value);
 
-/// `value` with as few significant digits as read back to the same bits: 0.1, where exact() writes 0.10000000000000001.
+/// `value` with as few significant digits as read back to the same bits: 0.1, where exact() writes 0.10000000000000001;
+/// 1000, not 1e+03.
 std::string shortest(double value);
 
 }  // namespace tern_host
