@@ -224,6 +224,10 @@ TEST(Airspace, DrawsMissionsAsXml) {
       tern_host::make_airspace({tern_host::parse_airspace(content("mission.plan"), "mission.plan")}, lake_settings());
   const std::string svg = tern_host::airspace_svg(airspace);
   EXPECT_NE(svg.find("<polyline"), std::string::npos);
+  for (const char* caption : {">keep out<", ">keep in<", ">mission<", ">rally point<"}) {
+    EXPECT_NE(svg.find(caption), std::string::npos) << caption;
+  }
+  EXPECT_EQ(svg.find(">keep out for a while<"), std::string::npos) << "there is none in the picture";
   EXPECT_EQ(element_with_an_attribute_twice(svg), "");
   EXPECT_EQ(element_with_an_attribute_twice("<a b=\"1\" b=\"2\"/>"), "<a b=\"1\" b=\"2\"/>");
 }
@@ -234,6 +238,18 @@ TEST(Airspace, DrawsWhatItHas) {
   const std::string svg = tern_host::airspace_svg(airspace);
   EXPECT_NE(svg.find("keepout-for-a-while"), std::string::npos);
   EXPECT_NE(svg.find("Zürichhorn &amp; park"), std::string::npos);
+}
+
+TEST(Airspace, CountsOneAsOne) {
+  AirspaceFile file;
+  tern_host::Zone zone;
+  zone.name = "Half";
+  zone.lower = tern_host::ZoneHeight{500.0, tern_host::HeightReference::kEllipsoid};
+  zone.areas.emplace_back();
+  zone.areas[0].ring = {{47.3, 8.4}, {47.3, 8.6}, {47.4, 8.6}, {47.4, 8.4}};
+  file.zones = {zone};
+  const std::string table = airspace_table(tern_host::make_airspace({file}, lake_settings()));
+  EXPECT_NE(table.find("\n1 fence with 1 half-space\n"), std::string::npos) << table;
 }
 
 TEST(Airspace, PrintsNoControlCharacters) {

@@ -12,6 +12,8 @@ namespace tern_host {
 namespace {
 
 constexpr double kSize = 760.0, kEdge = 40.0;
+/// Below the boundary: the scale, and the legend.
+constexpr double kFoot = 44.0;
 /// A round number of metres, about a fifth of the length.
 double round_length(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(0.2 * length)));
@@ -30,7 +32,7 @@ class PlanPicture {
   }
 
   std::string draw() {
-    canvas_.rect({0.0, 0.0, room_.right() + kEdge, room_.bottom() + kEdge + 20.0}, R"(class="paper")");
+    canvas_.rect({0.0, 0.0, room_.right() + kEdge, room_.bottom() + kEdge + kFoot}, R"(class="paper")");
     canvas_.begin_clipped(room_);
     // What always holds is behind what holds for a while.
     for (const bool timed : {false, true}) {
@@ -43,7 +45,8 @@ class PlanPicture {
     canvas_.rect(room_, R"(class="frame")");
     for (const AirspaceEntry& entry : airspace_.entries) name(entry);
     draw_scale();
-    return canvas_.document(room_.right() + kEdge, room_.bottom() + kEdge + 20.0, style_sheet());
+    draw_legend();
+    return canvas_.document(room_.right() + kEdge, room_.bottom() + kEdge + kFoot, style_sheet());
   }
 
  private:
@@ -51,15 +54,23 @@ class PlanPicture {
     return {kEdge + scale_ * (x - box_.lower.x), room_.bottom() - scale_ * (y - box_.lower.y)};
   }
 
+  static const char* style_of(const AirspaceEntry& entry, const FittedFence& fence) {
+    if (fence.kind == tern::FenceKind::kKeepIn) return kKeepIn;
+    return entry.spans.empty() ? kKeepOut : kForAWhile;
+  }
+
+  bool has_fence(const char* style) const {
+    return std::any_of(airspace_.entries.begin(), airspace_.entries.end(), [style](const AirspaceEntry& entry) {
+      return std::any_of(entry.fit.fences.begin(), entry.fit.fences.end(),
+                         [&](const FittedFence& fence) { return style_of(entry, fence) == style; });
+    });
+  }
+
   void draw_fences(const AirspaceEntry& entry) {
     for (const FittedFence& fence : entry.fit.fences) {
       std::vector<Pixel> pixels;
       for (const ConvexPiece::Vertex& v : fence.outline) pixels.push_back(pixel(v.x, v.y));
-      const bool keeps_in = fence.kind == tern::FenceKind::kKeepIn;
-      const char* const style = keeps_in              ? R"(class="keepin")"
-                                : entry.spans.empty() ? R"(class="keepout")"
-                                                      : R"(class="keepout-for-a-while")";
-      canvas_.polygon(pixels, style);
+      canvas_.polygon(pixels, style_of(entry, fence));
     }
   }
 
@@ -94,6 +105,36 @@ class PlanPicture {
     canvas_.line({kEdge, y}, {kEdge + scale_ * length, y}, R"(class="shortcut")");
     canvas_.text({kEdge + scale_ * length + 8.0, y + 4.0}, brief(length) + " m, north is up", R"(class="number")");
   }
+
+  /// What there is in the picture, from left to right.
+  void draw_legend() {
+    const double y = room_.bottom() + 48.0;
+    double x = kEdge;
+    const auto caption = [&](const char* text) {
+      const std::string style = R"(class="number")";
+      canvas_.text({x + 22.0, y + 4.0}, text, style);
+      x += 22.0 + text_room({0.0, 0.0}, text, style).width + 20.0;
+    };
+    const std::pair<const char*, const char*> fences[] = {
+        {kKeepOut, "keep out"}, {kForAWhile, "keep out for a while"}, {kKeepIn, "keep in"}};
+    for (const auto& [style, text] : fences) {
+      if (!has_fence(style)) continue;
+      canvas_.rect({x, y - 6.0, 16.0, 12.0}, style);
+      caption(text);
+    }
+    if (!airspace_.points.empty()) {
+      canvas_.line({x, y}, {x + 16.0, y}, R"(class="shortcut")");
+      canvas_.circle({x + 8.0, y}, 3.5, R"(class="via")");
+      caption("mission");
+    }
+    if (airspace_.rally.empty()) return;
+    canvas_.circle({x + 8.0, y}, 4.0, R"(class="waypoint")");
+    caption("rally point");
+  }
+
+  static constexpr const char* kKeepIn = R"(class="keepin")";
+  static constexpr const char* kKeepOut = R"(class="keepout")";
+  static constexpr const char* kForAWhile = R"(class="keepout-for-a-while")";
 
   const Airspace& airspace_;
   const tern::Box& box_;

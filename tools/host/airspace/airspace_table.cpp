@@ -101,7 +101,8 @@ std::string frame_text(const Airspace& airspace) {
 
 std::string capacity_text(const Airspace& airspace) {
   const int fences = airspace.fence_count(), planes = airspace.plane_count();
-  std::string text = std::to_string(fences) + " fences with " + std::to_string(planes) + " half-spaces";
+  const auto count = [](int n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); };
+  std::string text = count(fences, "fence") + " with " + count(planes, "half-space");
   if (fences > tern::kMaxFences || planes > tern::kMaxFencePlanes) {
     text += ": more than a request takes (TERN_MAX_FENCES " + std::to_string(tern::kMaxFences) +
             ", TERN_MAX_FENCE_PLANES " + std::to_string(tern::kMaxFencePlanes) +
