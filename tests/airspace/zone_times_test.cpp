@@ -63,6 +63,9 @@ TEST(ZoneTimes, WritesWhatItReads) {
   }
   EXPECT_EQ(instant_text(Instant{1772353800} * kSecond), "2026-03-01T08:30:00Z");
   EXPECT_EQ(instant_text(-kSecond), "1969-12-31T23:59:59Z");
+  EXPECT_EQ(instant_text(500000000), "1970-01-01T00:00:00.500Z");
+  EXPECT_EQ(instant_text(1000), "1970-01-01T00:00:00.000001Z");
+  EXPECT_EQ(instant_text(7), "1970-01-01T00:00:00.000000007Z");
 }
 
 Instant at(const char* text) {

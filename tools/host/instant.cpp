@@ -131,6 +131,8 @@ std::string instant_text(Instant instant) {
   if (rest != 0) {
     std::snprintf(text, sizeof text, ".%09lld", rest);
     out += text;
+    // Whole milliseconds or microseconds need no more digits.
+    while (out.compare(out.size() - 3, 3, "000") == 0) out.resize(out.size() - 3);
   }
   return out + "Z";
 }

@@ -32,7 +32,7 @@ std::optional<Instant> parse_day_time(const std::string& text);
 /// The day that the instant is in, counted from 1970-01-01, a Thursday.
 Instant day_of(Instant instant);
 
-/// As RFC 3339 in UTC, with fractions only where there are some.
+/// As RFC 3339 in UTC, with three, six or nine digits of a fraction only where they are needed.
 std::string instant_text(Instant instant);
 
 }  // namespace tern_host

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host/airspace/terrain_grid.hpp"
+#include "host/number.hpp"
 
 namespace tern_host {
 namespace {
@@ -114,7 +115,9 @@ HeightRange ZoneHeights::local(const ZoneHeight& height, const PlanBox& box) con
   const double m = height.metres, origin = frame_.origin().height;
   if (height.reference == HeightReference::kHome && !known_) return {m, m};
   if (!known_) {
-    throw std::invalid_argument("the height of the origin is not known: give --height or --height-amsl");
+    const std::string home =
+        sources_.home ? "; home is " + brief(sources_.home->height) + " m above mean sea level" : "";
+    throw std::invalid_argument("the height of the origin is not known: give --height or --height-amsl" + home);
   }
   if (height.reference == HeightReference::kEllipsoid) return {m - origin, m - origin};
   if (height.reference == HeightReference::kHome) {
