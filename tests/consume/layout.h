@@ -7,6 +7,7 @@
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
 #include "tern/tern_corridor.h"
+#include "tern/tern_far_way.h"
 #include "tern/tern_fleet.h"
 #include "tern/tern_flight.h"
 #include "tern/tern_yaw.h"
@@ -154,7 +155,7 @@
   FIELD(tern_map_spec, pose_margin) FIELD(tern_map_spec, angle_margin) FIELD(tern_map_spec, scan_pixel)              \
   FIELD(tern_map_spec, hits) FIELD(tern_map_spec, misses) FIELD(tern_map_spec, support) FIELD(tern_map_spec, age) FIELD(tern_map_spec, slack)      \
   FIELD(tern_map_spec, pixels) FIELD(tern_map_spec, prior) FIELD(tern_map_spec, prior_count)                         \
-  FIELD(tern_pose, position) FIELD(tern_pose, quaternion)                                                            \
+  FIELD(tern_far_way_spec, ahead) FIELD(tern_far_way_spec, patience) FIELD(tern_pose, position) FIELD(tern_pose, quaternion)                                                            \
   FIELD(tern_depth_view, z16) FIELD(tern_depth_view, z32) FIELD(tern_depth_view, width)                              \
   FIELD(tern_depth_view, height) FIELD(tern_depth_view, stride) FIELD(tern_depth_view, fx)                           \
   FIELD(tern_depth_view, fy) FIELD(tern_depth_view, cx) FIELD(tern_depth_view, cy) FIELD(tern_depth_view, scale)     \

@@ -15,6 +15,11 @@ namespace {
 
 using namespace tern;
 using tern_test::expect_same;
+using tern_test::FlightRoom;
+using tern_test::kLookoutGoal;
+using tern_test::Stuck;
+
+constexpr std::int64_t kOneSecond = 1000000000;
 
 /// The end of what is committed stands still for half a second, three plans that were not dropped, and four frames.
 TEST(FlightLookout, IsCalledForOnceNothingGoesOn) {
@@ -24,41 +29,41 @@ TEST(FlightLookout, IsCalledForOnceNothingGoesOn) {
   EXPECT_FALSE(room.is_called_for(500000000, 2, 4));
   EXPECT_FALSE(room.is_called_for(500000000, 4, 4, 2));
   EXPECT_FALSE(room.is_called_for(500000000, 3, 3));
-  room.look().not_before = 11 * kSecond;
+  room.look().not_before = 11 * kOneSecond;
   EXPECT_FALSE(room.is_called_for(500000000, 3, 4));
-  EXPECT_TRUE(room.is_called_for(kSecond, 3, 4));
+  EXPECT_TRUE(room.is_called_for(kOneSecond, 3, 4));
 }
 
 /// A plan that ends elsewhere begins it all anew.
 TEST(FlightLookout, IsNotCalledForWhilePlansLeadOn) {
   Stuck room;
   FlightState& state = room.state();
-  state.facts.time = 11 * kSecond;
+  state.facts.time = 11 * kOneSecond;
   state.facts.plans.in_flight.trajectory.origin.x += 0.3;
   room.look().note_tick(state.facts, {3, 0});
-  EXPECT_TRUE(room.is_called_for(kSecond, 3, 4));
-  state.facts.time = 11 * kSecond;
+  EXPECT_TRUE(room.is_called_for(kOneSecond, 3, 4));
+  state.facts.time = 11 * kOneSecond;
   state.facts.plans.in_flight.trajectory.origin.x += 0.2;
   room.look().note_tick(state.facts, {3, 0});
-  EXPECT_FALSE(room.is_called_for(kSecond + 499999999, 6, 8));
-  EXPECT_FALSE(room.is_called_for(kSecond + 500000000, 5, 8));
-  EXPECT_TRUE(room.is_called_for(kSecond + 500000000, 6, 8));
+  EXPECT_FALSE(room.is_called_for(kOneSecond + 499999999, 6, 8));
+  EXPECT_FALSE(room.is_called_for(kOneSecond + 500000000, 5, 8));
+  EXPECT_TRUE(room.is_called_for(kOneSecond + 500000000, 6, 8));
 }
 
 TEST(FlightLookout, IsNotCalledForWithoutNeed) {
   Stuck room;
   FlightState& state = room.state();
   room.look().left = 0;
-  EXPECT_FALSE(room.is_called_for(kSecond, 9, 9));
+  EXPECT_FALSE(room.is_called_for(kOneSecond, 9, 9));
   room.look().left = 1;
-  EXPECT_TRUE(room.is_called_for(kSecond, 9, 9));
+  EXPECT_TRUE(room.is_called_for(kOneSecond, 9, 9));
   state.facts.plans.in_flight.at_target = true;
   state.facts.plans.in_flight.mission = state.facts.itinerary.number;
   state.facts.plans.in_flight.branch = 1e9;
-  EXPECT_FALSE(room.is_called_for(kSecond, 9, 9)) << "the plan ends at the goal";
+  EXPECT_FALSE(room.is_called_for(kOneSecond, 9, 9)) << "the plan ends at the goal";
   state.facts.plans.in_flight.at_target = false;
   ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
-  EXPECT_FALSE(room.is_called_for(kSecond, 9, 9)) << "the map slides";
+  EXPECT_FALSE(room.is_called_for(kOneSecond, 9, 9)) << "the map slides";
 }
 
 /// A vehicle that flies back and forth before a goal within its horizon is called to look after six plans, and then
@@ -67,7 +72,7 @@ TEST(FlightLookout, IsCalledForIfTheVehicleWanders) {
   for (const bool is_far : {false, true}) {
     Stuck room;
     FlightState& state = room.state();
-    const double away = distance(state.facts.position(), kGoal);
+    const double away = distance(state.facts.position(), kLookoutGoal);
     state.facts.spec.horizon = is_far ? away - 0.01 : away + 0.01;
     const auto is_called_for = [&](int wandering, int fruitless) {
       state.facts.itinerary.wandering = wandering;
@@ -125,8 +130,8 @@ TEST(FlightLookout, IsWhereTheVehicleIsIfThatWillDo) {
 TEST(FlightLookout, EndsOnceAllIsSeen) {
   Stuck room;
   room.search();
-  room.follow(kSecond);
-  room.follow(kSecond);
+  room.follow(kOneSecond);
+  room.follow(kOneSecond);
   EXPECT_TRUE(room.look().is_active());
   room.set_seen(true);
   room.follow(1);
@@ -140,7 +145,7 @@ TEST(FlightLookout, RemembersWhatItDidNotSee) {
   Stuck room;
   room.search();
   room.follow(0);
-  room.follow(2 * kSecond);  // the gimbal points there
+  room.follow(2 * kOneSecond);  // the gimbal points there
   EXPECT_GE(room.look().aligned, 0);
   room.state().facts.frames += 3;
   room.follow(149999999);
@@ -157,7 +162,7 @@ TEST(FlightLookout, TellsWhatWasLookedAtInVain) {
   EXPECT_EQ(room.flight.looked_in_vain(nullptr, 0), 0);
   room.search();
   room.follow(0);
-  room.follow(4 * kSecond);
+  room.follow(4 * kOneSecond);
   room.follow(1);
   const Viewpoint& lookout = room.look().search.lookout;
   const std::int32_t count = room.flight.looked_in_vain(nullptr, 0);
@@ -177,7 +182,7 @@ TEST(FlightLookout, TellsWhatWasLookedAtInVain) {
   room.set_seen(true);
   EXPECT_EQ(room.flight.looked_in_vain(nullptr, 0), 0);
   room.set_seen(false);
-  EXPECT_EQ(room.flight.set_goal(kGoal), Status::kOk);
+  EXPECT_EQ(room.flight.set_goal(kLookoutGoal), Status::kOk);
   EXPECT_EQ(room.flight.looked_in_vain(nullptr, 0), 0);
   EXPECT_EQ(Flight().looked_in_vain(found, kTriedVoxels), 0);
 }
@@ -187,7 +192,7 @@ TEST(FlightLookout, LooksForFourSecondsAtMost) {
   Stuck room;
   room.search();
   room.follow(0);
-  room.follow(4 * kSecond);
+  room.follow(4 * kOneSecond);
   EXPECT_TRUE(room.look().is_active());
   room.follow(1);
   EXPECT_FALSE(room.look().is_active());
@@ -206,7 +211,7 @@ TEST(FlightLookout, IsGivenUpIfNoPlanLeadsThere) {
   EXPECT_EQ(room.look().tried.failures, 1);
   room.search();
   room.look().search.lookout.place.y += 2.0;
-  room.follow(100 * kSecond);
+  room.follow(100 * kOneSecond);
   EXPECT_EQ(room.look().phase, LookoutPhase::kIdle) << "too late";
   EXPECT_EQ(room.look().tried.failures, 2);
 }
@@ -216,7 +221,7 @@ TEST(FlightLookout, OutdatedAnswersAreDropped) {
   for (const bool moves : {true, false}) {
     Stuck room;
     FlightState& state = room.state();
-    room.look().begin(state.facts, state.nose, kGoal);
+    room.look().begin(state.facts, state.nose, kLookoutGoal);
     if (moves) state.facts.plans.in_flight.trajectory.origin.x += 1.0;
     if (!moves) state.facts.itinerary.points[0].position.y += 1.0;
     Work work(100000);
@@ -234,7 +239,7 @@ TEST(FlightLookout, LeadsAlongAKnownWayOnce) {
   room.search();
   EXPECT_EQ(room.look().phase, LookoutPhase::kOnWay);
   EXPECT_EQ(room.look().search.lookout.hidden_count, 0);
-  EXPECT_LT(distance(room.look().place(), kGoal), 0.5);
+  EXPECT_LT(distance(room.look().place(), kLookoutGoal), 0.5);
   room.look().phase = LookoutPhase::kIdle;
   room.search();
   EXPECT_EQ(room.look().phase, LookoutPhase::kIdle);
