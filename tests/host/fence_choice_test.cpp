@@ -126,6 +126,35 @@ TEST(FenceChoice, ClosesWhatLeavesNoClearTime) {
   }
 }
 
+TEST(FenceChoice, GoesAroundALargeZoneForAWhile) {
+  // So large that no flood in time finds the way around it. There is only this fence.
+  Scenario scenario = tern_host::parse_scenario(
+      "boundary -300 -300 0 300 300 120\nstart -250 0 50\ngoal 250 0 50\nresolution 5\nradius 1\ntracking_margin 0.5\n"
+      "v_max 10\na_max 3\n",
+      "field");
+  FenceRecord zone = box({-67.3, -178.2, -1.0}, {67.3, 149.4, 200.0});
+  zone.fence.from = -100000000000;
+  zone.fence.until = 900000000000;
+  scenario.fences = {zone};
+  tern_host::Session session;
+  const PlanResult result = session.plan(scenario);
+  ASSERT_TRUE(result.ok()) << tern::status_name(result.report.status);
+  EXPECT_TRUE(tern::is_timed(result.scenario.fences[0].fence)) << "the scenario is as it was given";
+  for (int k = 0; k <= 1000; ++k) {
+    const tern::Vec3 at = tern::evaluate(result.trajectory, tern::duration(result.trajectory) * k / 1000).position;
+    EXPECT_GE(distance(zone, at), 1.5 - 1e-6) << k;
+  }
+  EXPECT_THROW(session.record(result), std::runtime_error) << "it is not the answer to one request";
+  // Across the whole boundary, there is no way around.
+  scenario.fences[0] = box({-67.3, -400.0, -1.0}, {67.3, 400.0, 200.0});
+  scenario.fences[0].fence.from = zone.fence.from;
+  scenario.fences[0].fence.until = zone.fence.until;
+  const PlanResult none = session.plan(scenario);
+  EXPECT_EQ(none.report.status, tern::Status::kNoClearTime);
+  EXPECT_EQ(none.report.fence, 0);
+  EXPECT_FALSE(session.record(none).empty());
+}
+
 TEST(FenceChoice, MarksWhatHoldsForAWhileAsClosed) {
   Scenario scenario = slalom(18);
   for (FenceRecord& wall : scenario.fences) {

@@ -71,6 +71,14 @@ bool leaves_chain(const PlanResult& result) {
   return fence.kind == tern::FenceKind::kKeepIn && tern::is_timed(fence);
 }
 
+/// True if a keep-out for a while is why there is no plan: there may be one that leads around it all.
+bool meets_closed(const PlanResult& result) {
+  const std::int32_t index = result.report.fence;
+  if (result.report.status != tern::Status::kNoClearTime || index == tern::kNoFence) return false;
+  const tern::Fence& fence = result.scenario.fences[static_cast<std::size_t>(index)].fence;
+  return fence.kind == tern::FenceKind::kKeepOut && tern::is_timed(fence);
+}
+
 tern::Status refuse(PlanResult& result, tern::Status status) {
   result.report.status = status;
   result.report.stage = tern::Stage::kRequest;
@@ -127,8 +135,18 @@ PlanResult Session::plan_among(const Scenario& scenario, const tern::Limits& lim
                                double previous_time) {
   if (!exceeds_capacity(scenario.fences)) {
     PlanResult result = plan_once(scenario, limits, previous, previous_time);
+    if (meets_closed(result)) {
+      PlanResult around = plan_chosen(scenario, limits, previous, previous_time);
+      // Where that does not help, the planner is left as after the plan that is answered.
+      return around.ok() ? std::move(around) : plan_once(scenario, limits, previous, previous_time);
+    }
     if (result.report.status != tern::Status::kFencePlanesFull) return result;
   }
+  return plan_chosen(scenario, limits, previous, previous_time);
+}
+
+PlanResult Session::plan_chosen(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
+                                double previous_time) {
   FenceChoice choice(scenario);
   const auto has_changed = [&choice](const PlanResult& result) {
     if (result.ok()) return choice.add_broken(result.trajectory);
@@ -141,6 +159,7 @@ PlanResult Session::plan_among(const Scenario& scenario, const tern::Limits& lim
   result.scenario.fences = scenario.fences;
   result.report.fence = choice.index_of(result.report.fence);
   result.report.check.fence = choice.index_of(result.report.check.fence);
+  result.among_chosen = true;
   return result;
 }
 
@@ -172,6 +191,10 @@ PlanResult Session::plan_once(const Scenario& scenario, const tern::Limits& limi
 }
 
 std::string Session::record(const PlanResult& result) const {
+  if (result.among_chosen && !exceeds_capacity(result.scenario.fences)) {
+    throw std::runtime_error(
+        "this query cannot be recorded: its plan goes around a fence for a while as if it always held");
+  }
   const std::vector<tern::Fence> fences = fences_of(result.scenario.fences);
   const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);
   std::string bytes(tern::plan_record_bytes(result.grid.dims), '\0');

@@ -48,6 +48,9 @@ struct PlanResult {
   tern::Status yaw_status = tern::Status::kOk;
   tern::Limits limits{};  ///< that the planner had: slower than the scenario's where a chain of keep-ins asks for that
 
+  /// True if it comes from several requests, among fences that were chosen or closed at all times (FenceChoice).
+  bool among_chosen = false;
+
   bool ok() const { return report.status == tern::Status::kOk; }
 };
 
@@ -58,8 +61,9 @@ class Session {
 
   /// Lays out, fills and inflates the grid, and plans, from the instant `previous_time` of `previous` if that is given.
   /// Of more fences than a request takes, it plans among those that matter (FenceChoice), and proves the plan against
-  /// all. A plan that is too fast for a chain of keep-ins for a while is made again with lower limits on speed. Throws
-  /// ScenarioError where the grid does not fit.
+  /// all. A keep-out for a while that leaves no clear time is tried once more as one that always holds. A plan that is
+  /// too fast for a chain of keep-ins for a while is made again with lower limits on speed. Throws ScenarioError where
+  /// the grid does not fit.
   PlanResult plan(const Scenario& scenario, const tern::Trajectory* previous = nullptr, double previous_time = 0.0);
 
   /// The record of the last plan (tern/record.hpp). Its grid must have been bound.
@@ -68,6 +72,8 @@ class Session {
  private:
   PlanResult plan_among(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
                         double previous_time);
+  PlanResult plan_chosen(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
+                         double previous_time);
   PlanResult plan_once(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
                        double previous_time);
   tern::Status build_grid(PlanResult& result);
