@@ -178,7 +178,7 @@ TEST(AirspaceErrors, OfZonesSayWhatToDo) {
   expect("volumes.f3548.json", settings, "/operational_intents/0/details/volumes/0: it has times: give --epoch");
   settings = lake_settings();
   settings.events.erase("SS");
-  expect("geozones.ed318.json", settings, "nothing says when 'SS' is");
+  expect("geozones.ed318.json", settings, "nothing says when 'SS' is: give --event SS=HH:MMZ");
   settings = lake_settings();
   settings.heights.ground.reset();
   expect("zones.geojson", settings, "Lake, zones.geojson at /features/0: heights above the ground need the ground");

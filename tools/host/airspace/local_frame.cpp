@@ -11,7 +11,7 @@ LocalFrame::LocalFrame(const GeoPosition& origin) : origin_(origin), projection_
       std::isfinite(origin.point.latitude) && std::isfinite(origin.point.longitude) && std::isfinite(origin.height);
   if (!finite) throw std::invalid_argument("the origin is not finite");
   if (!(std::fabs(origin.point.latitude) <= kMostLatitude)) {
-    throw std::invalid_argument("the origin is beyond 80 degrees of latitude");
+    throw std::invalid_argument("the origin is beyond 80 degrees of latitude, which comes before the longitude");
   }
 }
 

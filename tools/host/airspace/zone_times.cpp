@@ -11,7 +11,9 @@ namespace {
 Instant time_of(const DayTime& time, const DayEvents& events) {
   if (time.time) return *time.time;
   const auto found = events.find(time.event);
-  if (found == events.end()) throw std::invalid_argument("nothing says when '" + time.event + "' is");
+  if (found == events.end()) {
+    throw std::invalid_argument("nothing says when '" + time.event + "' is: give --event " + time.event + "=HH:MMZ");
+  }
   return found->second;
 }
 
