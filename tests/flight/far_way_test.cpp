@@ -193,6 +193,22 @@ TEST(FarWay, LearnsOfAWallOnceTheVehicleGetsNoFurther) {
   EXPECT_EQ(world.far.marked(), 24);  // the wall, and nothing else
 }
 
+/// The vehicle is in the cell that the wall's face closes. The free cell nearest to it is inside the wall, where nobody
+/// has seen anything.
+TEST(FarWay, DoesNotBeginBehindWhatIsSeen) {
+  FarWorld world({32, 32, 4}, {60.0, 32.0, 8.0});
+  world.block({{40.0, 24.0, 0.0}, {88.0, 116.0, 16.0}});
+  world.begin({116.0, 40.0, 6.0});
+  EXPECT_EQ(world.seen.map.mark_box({{59.5, 0.0, 0.0}, {60.0, 24.0, 16.0}}), Status::kOk);
+  const Vec3 at{58.8, 12.0, 6.0};
+  EXPECT_TRUE(wait(world, at, 2));
+  EXPECT_LT(world.far.left(), 100.0);
+  EXPECT_TRUE(wait(world, at, 1010));
+  EXPECT_TRUE(world.coarse.grid.obstacle({14, 3, 1}));
+  EXPECT_FALSE(world.coarse.grid.obstacle({15, 3, 1}));
+  EXPECT_GT(world.far.left(), 200.0);
+}
+
 TEST(FarWay, ABlockSeenAFewVoxelsOffTeachesNothing) {
   FarWorld world({32, 32, 4}, {60.0, 32.0, 8.0});
   world.block({{40.0, 24.0, 0.0}, {88.0, 116.0, 16.0}});

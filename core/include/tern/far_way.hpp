@@ -78,6 +78,7 @@ class FarWay {
   };
 
   const Path& path() const noexcept;
+  void choose_start(const RollingMap& map) noexcept;
   void begin_search() noexcept;
   bool search() noexcept;
   bool end_search() noexcept;

@@ -4,12 +4,15 @@
 
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
+#include "path/sight.hpp"
 
 namespace tern {
 namespace {
 
 /// Near voxels next to a marked cell that the coarse grid explains.
 constexpr std::int32_t kExplained = 2;
+/// Cells around the vehicle that are looked at for a free one, along each axis and direction.
+constexpr std::int32_t kOpenAway = 3;
 /// Parts of a cell along an axis: its first kExplained near voxels, the middle, and its last ones.
 constexpr int kParts = 3;
 
@@ -99,6 +102,29 @@ IndexRange cells_met(const Grid& coarse, const Grid& near, int a) noexcept {
   const double upper = lower + near.spec().cell * axis(near.spec().dims, a);
   const std::int32_t count = axis(coarse.spec().dims, a);
   return {floor_index(lower / cell, 0, count), ceil_index(upper / cell, 0, count)};
+}
+
+bool find_open_cell(const Grid& coarse, const Grid& near, const Vec3& place, Vec3& found, Work& work) noexcept {
+  const Grid bare = GridAccess::bare(near);
+  const Vec3 from = near.to_local(place);
+  const Voxel here = coarse.voxel_of(coarse.to_local(place));
+  double least = -1.0;
+  for (std::int32_t z = here.z - kOpenAway; z <= here.z + kOpenAway; ++z) {
+    for (std::int32_t y = here.y - kOpenAway; y <= here.y + kOpenAway; ++y) {
+      for (std::int32_t x = here.x - kOpenAway; x <= here.x + kOpenAway; ++x) {
+        const Vec3 centre = coarse.spec().origin + free_point(coarse, {x, y, z});
+        const double away = distance(centre, place);
+        work.spend(ops::kTurn);
+        if (!coarse.free({x, y, z}) || (least >= 0.0 && away >= least)) continue;
+        const Vec3 to = near.to_local(centre);
+        work.spend(sight_operations(near, from, to));
+        if (!line_of_sight(bare, from, to, 0.0)) continue;
+        least = away;
+        found = centre;
+      }
+    }
+  }
+  return least >= 0.0;
 }
 
 }  // namespace tern

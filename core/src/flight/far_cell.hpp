@@ -19,6 +19,12 @@ bool shows_more(const Grid& coarse, const Grid& near, const Voxel& cell, Work& w
 /// The cells of the coarse grid on one axis that the near grid meets.
 IndexRange cells_met(const Grid& coarse, const Grid& near, int a) noexcept;
 
+/// If the cell that holds `place` (world frame) is not free: finds the centre of the nearest free cell, of those up to
+/// three cells away to which the near grid shows no obstacle on the straight line. So nobody begins behind a wall that
+/// he is in front of. Of equally near ones, the first along z, then y, then x. False if there is none. Both grids must
+/// be bound.
+bool find_open_cell(const Grid& coarse, const Grid& near, const Vec3& place, Vec3& found, Work& work) noexcept;
+
 }  // namespace tern
 
 #endif

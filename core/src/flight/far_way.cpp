@@ -6,6 +6,7 @@
 
 #include "base/math.hpp"
 #include "base/work.hpp"
+#include "flight/far_cell.hpp"
 #include "grid/lattice.hpp"
 #include "path/polyline.hpp"
 #include "path/sight.hpp"
@@ -62,9 +63,8 @@ bool FarWay::tick(const Vec3& position, bool gave_up, const RollingMap& map, std
   if (job_ == Job::kLearn && cell_.z >= end_.z && end_learning()) return true;
   if (job_ == Job::kInflate) inflate();
   if (job_ == Job::kBegin) {
-    from_ = position_;
-    is_moved_ = false;
     ++searches_;
+    choose_start(map);
     begin_search();
   }
   since_ = job_ == Job::kSearch ? t : since_;
@@ -77,6 +77,14 @@ const Path& FarWay::path() const noexcept {
 
 double FarWay::left() const noexcept {
   return state_ == FarState::kLeads ? length_ - done_ : 0.0;
+}
+
+/// The vehicle's place or, if its cell is not free, the nearest free cell that the rolling map shows the way to.
+void FarWay::choose_start(const RollingMap& map) noexcept {
+  from_ = position_;
+  is_moved_ = false;
+  const bool is_closed = !coarse_->free(coarse_->voxel_of(coarse_->to_local(position_)));
+  if (is_closed && map.bound() && map.route().bound()) find_open_cell(*coarse_, map.route(), position_, from_, work_);
 }
 
 void FarWay::begin_search() noexcept {
