@@ -108,9 +108,10 @@ TEST_P(FlightGoalsInARoom, AreReached) {
   }
 }
 
-// With seeds 49 and 51, a vehicle goes to the edge of that ball, where no plan can begin. With 49 and 55, goals are
-// right below the ceiling, and what is above them is seen only along the flattest lines.
-INSTANTIATE_TEST_SUITE_P(Seeds, FlightGoalsInARoom, testing::Values(44u, 49u, 51u, 55u));
+// With seeds 49 and 51, a vehicle goes to the edge of that ball, where no plan can begin. With 57 and 59, it would go
+// there again and again. With 49 and 55, goals are right below the ceiling, and what is above them is seen only along
+// the flattest lines.
+INSTANTIATE_TEST_SUITE_P(Seeds, FlightGoalsInARoom, testing::Values(44u, 49u, 51u, 55u, 57u, 59u));
 
 /// The bottom of a shaft of 2.4 m, 2 m deep: from inside, a camera that looks level and 29 degrees down does not see
 /// the voxels below it, and from above only those beside the walls.

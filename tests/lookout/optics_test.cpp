@@ -187,7 +187,7 @@ TEST(LookoutOptics, AWallIsInTheWay) {
   const SensorPose pose = optics.pose({2.125, 8.125, 4.125}, {1.0, 0.0}, {6.125, 8.125, 4.125});
   const auto sees = [&](bool wide) {
     const Vec3 voxel{6.125, 8.125, 4.125};
-    return wide ? optics.in_wide_sight(room.map(), pose, voxel, work)
+    return wide ? optics.in_wide_sight(room.map(), pose, voxel, 0.0, work)
                 : optics.in_sight(room.map(), pose.eye, voxel, work);
   };
   EXPECT_TRUE(sees(true));
@@ -202,20 +202,26 @@ TEST(LookoutOptics, AWallIsInTheWay) {
 /// A floor 0.25 m below a cube, 2 m away. The ray over the lower edge of the cube's near face falls by (h - 0.25)
 /// / 1.875 a metre, where h is the eye's height above the floor. At the far face, 2.125 m away, it must be a twentieth
 /// of a voxel above the floor, as all lines of sight: h - 2.125 (h - 0.25) / 1.875 > 0.0125, so h < 2.031.
+///
+/// A cube on the floor is in no wide sight. Lines that are narrower by three quarters of a voxel pass its middle:
+/// h - 2.125 (h - 0.125) / 1.875 > 0.0125, so h < 0.969.
 TEST(LookoutOptics, AFloorHidesWhatIsRightAboveIt) {
   LookoutMap room;
   room.mark({{0.0, 0.0, 0.0}, {32.0, 16.0, 1.0}});
   MapSpec spec = LookoutMap::spec_of_map();
   spec.angle_margin = spec.depth_margin_square = 0.0;
   const Optics optics(square_camera(), spec);
-  const auto sees_from = [&](double height) {
+  const auto sees = [&](double z, double height, double narrower) {
     Work work;
-    const SensorPose pose = optics.pose({2.125, 8.125, 1.0 + height}, {1.0, 0.0}, {4.125, 8.125, 1.375});
-    return optics.in_wide_sight(room.map(), pose, {4.125, 8.125, 1.375}, work);
+    const SensorPose pose = optics.pose({2.125, 8.125, 1.0 + height}, {1.0, 0.0}, {4.125, 8.125, z});
+    return optics.in_wide_sight(room.map(), pose, {4.125, 8.125, z}, narrower, work);
   };
-  EXPECT_TRUE(sees_from(0.5));
-  EXPECT_TRUE(sees_from(2.03));
-  EXPECT_FALSE(sees_from(2.04));
+  EXPECT_TRUE(sees(1.375, 0.5, 0.0));
+  EXPECT_TRUE(sees(1.375, 2.03, 0.0));
+  EXPECT_FALSE(sees(1.375, 2.04, 0.0));
+  for (const double height : {0.25, 0.5, 1.0, 2.0}) EXPECT_FALSE(sees(1.125, height, 0.0)) << height;
+  EXPECT_TRUE(sees(1.125, 0.96, 0.75));
+  EXPECT_FALSE(sees(1.125, 0.98, 0.75));
 }
 
 /// In empty space all within the radius is wanted of a place, once; then the next place's.

@@ -97,7 +97,7 @@ bool Cycle::begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) 
 /// straight way does not.
 bool Cycle::begin_step_back(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, Draft& draft,
                             Work& work) noexcept {
-  const bool needs_way = lookouts.leads() || lookouts.found_nothing;
+  const bool needs_way = lookouts.leads() || lookouts.may_step_back(flight.map);
   steps_back = needs_way && attempt_of(search, lookouts) == kStepsBackIn && !is_hemmed_in(flight, draft.takeover) &&
                is_squeezed(flight, draft.takeover);
   steps_back = steps_back && sidesteps.begin_back(flight.map.safe(), flight.plans.sample_at(draft.takeover).position);

@@ -73,7 +73,8 @@ void Lookouts::try_anew() noexcept {
   wandering_due = 0;
   anchored = -1;
   route.length = 0.0;
-  turned_away = false;
+  is_due = false;
+  stepped = 0;
   not_before = 0;
 }
 
@@ -112,7 +113,7 @@ bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const 
                          (!flight.itinerary.is_reached_by(latest) || looks_for_ground(flight)) &&
                          !flight.itinerary.dwells_after(latest) && !flight.itinerary.is_right_before(flight);
   if (!may_begin || flight.map.busy() || !flight.map.safe().inflated() || !flight.map.route().inflated()) return false;
-  if (turned_away || wanders(flight)) return true;
+  if (is_due || wanders(flight)) return true;
   const Sample now = flight.plans.sample_at(flight.time);
   const Vec3 end = latest.end();
   const double lead_seconds = distance(end, goal_of(flight)) < kNearGoal ? kLeadNear : kLeadFar;
@@ -126,9 +127,9 @@ bool Lookouts::is_called_for(const FlightFacts& flight, const Nose& nose, const 
 bool Lookouts::turns_away(const FoundRoute& found) noexcept {
   if (phase != LookoutPhase::kIdle) return false;
   const bool has_same_end = route.length > 0.0 && distance(found.to, route.to) <= kSameEnd;
-  turned_away = has_same_end && left > 0 && found.length > distance(found.from, route.from) + route.length + kTurnsAway;
+  is_due = has_same_end && left > 0 && found.length > distance(found.from, route.from) + route.length + kTurnsAway;
   route = found;
-  return turned_away;
+  return is_due;
 }
 
 void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& look_at) noexcept {
@@ -149,7 +150,7 @@ void Lookouts::begin(const FlightFacts& flight, const Nose& nose, const Vec3& lo
   search.begin(flight.map, question, words);
   phase = LookoutPhase::kSearching;
   wandering_due = flight.itinerary.wandering;
-  turned_away = false;
+  is_due = false;
 }
 
 /// A search that was made for another end of what is committed, or for another goal, says nothing.

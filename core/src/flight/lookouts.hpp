@@ -72,7 +72,8 @@ struct Lookouts {
   std::uint64_t anchored_frames;
   std::int64_t not_before;  ///< the next search
   FoundRoute route;         ///< the last one. A length of 0: none
-  bool turned_away;         ///< the last route turns away, and no search has begun since
+  bool is_due;              ///< the last route turns away, or the vehicle stepped back, and no search has begun since
+  std::uint64_t stepped;    ///< what the map had learned when it last stepped back without a lookout
 
   // On the way, and looking.
   std::int64_t began;
@@ -101,6 +102,16 @@ struct Lookouts {
   /// The flight leads to a lookout, or looks from there.
   bool is_active() const noexcept { return phase == LookoutPhase::kOnWay || phase == LookoutPhase::kLooking; }
   bool is_searching() const noexcept { return phase == LookoutPhase::kSearching; }
+  /// No lookout was found here. But for what the map learned since, to step back again leads nowhere.
+  bool may_step_back(const RollingMap& map) const noexcept {
+    return found_nothing && map.learned() - stepped >= kLearned;
+  }
+  /// The vehicle steps back without a lookout. From there one is sought first: the next plan may lead to the same
+  /// place.
+  void note_step_back(const RollingMap& map) noexcept {
+    stepped = map.learned();
+    is_due = true;
+  }
   /// The next plan leads to the lookout.
   bool leads() const noexcept { return phase == LookoutPhase::kOnWay; }
   /// No plan is made: the vehicle is at the lookout, or what is committed leads there.

@@ -206,6 +206,7 @@ void FlightState::enter_draft() noexcept {
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
   if (!evasion.is_running) facts.itinerary.note_held_up(cycle.gave_way);
+  if (cycle.steps_back && !lookouts.leads()) lookouts.note_step_back(facts.map);
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();

@@ -25,6 +25,9 @@ constexpr double kPartBase = 1.2;
 /// Voxels that were looked at in vain need a flat line of sight, because what is right below or above them hides them
 /// from steep lines: seconds for a line at 45 degrees.
 constexpr double kSteepPrice = 6.0;
+/// A floor or ceiling fills a part of the voxels alone that were hit. Narrow lines of sight leave out so much of a
+/// voxel on each side of a cube's outline, so they pass through the part that is free.
+constexpr double kNarrower = 0.75;
 /// The middle of what is looked at must be so far away, seen from above, that there is a heading to it, metres.
 constexpr double kLeastFlat = 0.3;
 
@@ -73,7 +76,9 @@ bool LookoutSearch::sees(const RollingMap& map, const SensorPose& pose, const Ve
                          Work& work) const noexcept {
   switch (lines) {
     case Lines::kWide:
-      return optics.in_wide_sight(map, pose, centre, work);
+      return optics.in_wide_sight(map, pose, centre, 0.0, work);
+    case Lines::kNarrow:
+      return optics.in_wide_sight(map, pose, centre, kNarrower, work);
     case Lines::kThin:
       return optics.in_sight(map, pose.eye, centre, work);
     default:

@@ -83,11 +83,11 @@ struct LookoutSearch {
   /// What the stages look for, in turn: a lookout for the way to the goal, a place anywhere that would be one, and a
   /// lookout for the way to that place.
   enum class Target : std::uint8_t { kGoal, kElsewhere, kWayElsewhere };
-  /// How a voxel is seen: in_wide_sight(), in_sight() or in_short_sight().
-  enum class Lines : std::uint8_t { kWide, kThin, kShort };
+  /// How a voxel is seen: in_wide_sight(), the same with less of the outline, in_sight() or in_short_sight().
+  enum class Lines : std::uint8_t { kWide, kNarrow, kThin, kShort };
   static constexpr int kPasses = 4;
-  static constexpr Lines kRankedWith[kPasses] = {Lines::kThin, Lines::kWide, Lines::kThin, Lines::kShort};
-  static constexpr Lines kJudgedWith[kPasses] = {Lines::kWide, Lines::kWide, Lines::kThin, Lines::kShort};
+  static constexpr Lines kRankedWith[kPasses] = {Lines::kThin, Lines::kWide, Lines::kNarrow, Lines::kShort};
+  static constexpr Lines kJudgedWith[kPasses] = {Lines::kWide, Lines::kWide, Lines::kNarrow, Lines::kShort};
   /// A place with a heading, and how good it is: seconds until the vehicle is at its goal, compared with other ones.
   struct Candidate {
     std::int32_t place;
@@ -155,7 +155,7 @@ struct LookoutSearch {
   Candidate finalist_[kFinalists];
   std::int32_t finalists_;
   /// 0: places are ranked with thin lines of sight, and judged with wide ones. 1: ranked with wide ones as well,
-  /// because none of the first finalists saw anything. 2: thin ones have to do. 3: short ones.
+  /// because none of the first finalists saw anything. 2: narrow ones have to do. 3: short ones.
   int pass_;
   Candidate best_;
   Sight best_sight_;

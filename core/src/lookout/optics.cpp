@@ -128,7 +128,7 @@ bool Optics::in_ring(const SensorPose& pose, const Vec3& way, double grown) cons
   return sensor_.horizontal >= 2.0 * kPi - 1e-3 || dot(way, pose.ahead) - reach >= cosine_side_ * level;
 }
 
-bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre,
+bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre, double narrower,
                            Work& work) const noexcept {
   if (!in_sight(map, pose.eye, centre, work)) return false;
   const Vec3 way = centre - pose.eye;
@@ -141,8 +141,11 @@ bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const 
   const double half = cell_ * half_extent(axes.ahead) + grown;
   const double near = larger(depth - half, kLeastDepth * depth);
   const double far = depth + half + margin_ + margin_square_ * depth * depth;
-  const Range across = outline(dot(way, axes.right), cell_ * half_extent(axes.right) + grown, near, depth + half);
-  const Range down = outline(dot(way, axes.down), cell_ * half_extent(axes.down) + grown, near, depth + half);
+  const double wider = grown - narrower * cell_;
+  const double side = larger(0.0, cell_ * half_extent(axes.right) + wider);
+  const double height = larger(0.0, cell_ * half_extent(axes.down) + wider);
+  const Range across = outline(dot(way, axes.right), side, near, depth + half);
+  const Range down = outline(dot(way, axes.down), height, near, depth + half);
   for (int corner = 0; corner < 4; ++corner) {
     const double x = corner % 2 == 0 ? across.least : across.most;
     const double y = corner / 2 == 0 ? down.least : down.most;

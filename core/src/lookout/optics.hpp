@@ -35,8 +35,10 @@ class Optics {
   /// count as seen. `map` must be bound.
   bool in_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) const noexcept;
   /// The same for all of the cube: lines to its centre and to four corners of its outline, which is grown by the errors
-  /// of the pose. Where a floor is right below a voxel, only flat lines pass.
-  bool in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre, Work& work) const noexcept;
+  /// of the pose, and narrower by this part of a voxel on each side. Where a floor is right below a voxel, only flat
+  /// lines pass.
+  bool in_wide_sight(const RollingMap& map, const SensorPose& pose, const Vec3& centre, double narrower,
+                     Work& work) const noexcept;
   /// Only up to the cube's centre. A thing that was hit may fill a part of its voxels alone, so that the sensor sees
   /// past it what the other lines do not.
   static bool in_short_sight(const RollingMap& map, const Vec3& eye, const Vec3& centre, Work& work) noexcept;
