@@ -108,6 +108,7 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_EQ(plan["detail"], "");
   EXPECT_EQ(plan["scenario"], "maps/\"odd\" name.txt");
   EXPECT_EQ(plan["robot_radius"], 0.25);
+  EXPECT_EQ(plan["start_time"], 0.0);
   EXPECT_EQ(plan["tracking_margin"], 0.0);
   EXPECT_EQ(plan["limits"]["v_max"], json({2.0, 2.0, 2.0}));
   EXPECT_EQ(plan["limits"]["v_min"], json({-2.0, -2.0, -2.0}));

@@ -140,6 +140,9 @@ TEST(TimedPath, ReadsPlansAndRefusesOthers) {
   bad["format"] = "else";
   EXPECT_NE(refusal(bad.dump()).find("tern-plan/1"), std::string::npos);
   bad = plan;
+  bad.erase("start_time");
+  EXPECT_NE(refusal(bad.dump()).find("it does not say when it begins ('start_time')"), std::string::npos);
+  bad = plan;
   bad["status"] = "no_path";
   EXPECT_NE(refusal(bad.dump()).find("no trajectory"), std::string::npos);
   bad = plan;

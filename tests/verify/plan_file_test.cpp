@@ -137,6 +137,11 @@ TEST(PlanFiles, ThePlanWasMadeForTheScenario) {
   EXPECT_EQ(differs("/vias/0/stop", false), "vias");
   EXPECT_EQ(differs("/vias/0/velocity", {1.0, 0.0, 0.0}), "vias");
   EXPECT_EQ(differs("/vias", Json::array()), "vias");
+  EXPECT_EQ(differs("/start_time", 0), "");
+  EXPECT_EQ(differs("/start_time", 1e-10), "") << "whole nanoseconds";
+  EXPECT_EQ(differs("/start_time", 1037.747123456),
+            "p.json: the plan begins at 1037.747123456 s, s.txt at 0 s: if it should, put 'start_time 1037.747123456' "
+            "into the scenario");
 }
 
 }  // namespace

@@ -180,7 +180,6 @@ void add_tracks(const PlanResult& result, Json& plan) {
   const Scenario& scenario = result.scenario;
   if (!scenario.depends_on_time()) return;
   const tern::Report& report = result.report;
-  plan["start_time"] = scenario.start_time;
   if (result.ok()) {
     const double until = report.rest_clear_until;
     plan["rest_clear_until"] = std::isfinite(until) ? Json(scenario.start_time + until) : Json(nullptr);
@@ -270,6 +269,7 @@ std::string plan_json(const PlanResult& result) {
                {"goal_state", json(scenario.goal)}};
   const tern::Report& report = result.report;
   if (scenario.earth.is_known()) plan["frame"] = earth_json(scenario.earth);
+  plan["start_time"] = scenario.start_time;
   add_tracks(result, plan);
   if (scenario.rest_clear > 0.0) plan["rest_clear"] = scenario.rest_clear;
   if (!scenario.vias.empty()) plan["vias"] = vias_json(result);

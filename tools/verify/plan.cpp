@@ -47,6 +47,10 @@ Plan plan_of(const Json& json) {
   for (const Json& segment : json.at("segments")) plan.segments.push_back(segment_in(segment, plan.origin));
   if (plan.segments.empty()) throw InputError("it has no segments");
   if (json.contains("goal_missed")) plan.reachable = point_of(json.at("reachable"));
+  if (json.contains("start_time")) {
+    const Json& begin = json.at("start_time");
+    plan.begin = Begin{whole_nanoseconds(number_of(begin)), begin.dump()};
+  }
   plan.asked = asked_of(json);
   return plan;
 }
@@ -62,6 +66,10 @@ Plan parse_plan(const std::string& text, const std::string& name) {
 void require_same_request(const Problem& scenario, const Plan& plan) {
   const std::string what = plan.asked ? difference(scenario, *plan.asked) : "";
   if (!what.empty()) throw InputError(plan.name + ": it differs from " + scenario.name + " in '" + what + "'");
+  if (!plan.begin || plan.begin->seconds == scenario.start_time) return;
+  throw InputError(plan.name + ": the plan begins at " + plan.begin->text + " s, " + scenario.name + " at " +
+                   text_below(scenario.start_time) + " s: if it should, put 'start_time " + plan.begin->text +
+                   "' into the scenario");
 }
 
 }  // namespace tern_verify

@@ -19,11 +19,18 @@ struct Segment {
   Rational duration;
 };
 
+/// When a plan begins, on the scenario's clock.
+struct Begin {
+  Rational seconds;  ///< whole nanoseconds
+  std::string text;  ///< the same in digits, for messages
+};
+
 struct Plan {
   std::string name;
   Point origin;  ///< world frame
   std::vector<Segment> segments;
   std::optional<Point> reachable;  ///< where the plan ends if not at the goal
+  std::optional<Begin> begin;      ///< none in files of earlier versions where nothing depends on time
   std::optional<Problem> asked;    ///< what the file says that it was made for: asked_of()
 };
 

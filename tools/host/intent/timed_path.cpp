@@ -44,7 +44,9 @@ TimedPath path_of(const JsonNode& plan) {
   TimedPath path{"", {}, length_of(plan.at("robot_radius")) + length_of(plan.at("tracking_margin")), {}};
   if (plan.has("rest_clear")) path.rest = length_of(plan.at("rest_clear"));
   if (plan.has("frame")) path.earth = earth_of(plan.at("frame"));
-  double begin = plan.has("start_time") ? plan.at("start_time").number() : 0.0;
+  if (!plan.has("start_time"))
+    plan.refuse("it does not say when it begins ('start_time'): an earlier Tern made it; plan again");
+  double begin = plan.at("start_time").number();
   for (const JsonNode& segment : plan.at("segments").items()) {
     path.pieces.push_back(piece_of(segment, begin));
     begin = path.pieces.back().end;
