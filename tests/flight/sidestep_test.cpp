@@ -84,7 +84,7 @@ TEST(FlightSidestep, StepsBackToTheNearestFreeVoxels) {
     }
     std::sort(far.begin(), far.end());
     Sidesteps steps{};
-    ASSERT_EQ(steps.begin_back(safe, from), !far.empty());
+    ASSERT_EQ(steps.begin_back(safe, from, 1), !far.empty());
     if (far.empty()) continue;
     ++with_place;
     ASSERT_EQ(steps.places, std::min(kPlacesBack, static_cast<int>(far.size())));
@@ -94,6 +94,85 @@ TEST(FlightSidestep, StepsBackToTheNearestFreeVoxels) {
     }
   }
   EXPECT_GT(with_place, tern_test::scaled(40) / 2);
+}
+
+/// Rests so near to a post that its voxel is not free, after an attempt at a plan that failed, and without a lookout.
+struct Stuck : FlightRoom {
+  explicit Stuck(const FlightSpec& how = flight_spec()) : FlightRoom(how) {
+    mark({{0.51, 0.51, -1.9}, {0.74, 0.74, 3.9}});
+    for (int k = 0; k < 200; ++k) tick();
+    EXPECT_EQ(flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+    tick();
+    state().cycle.leave();
+    state().search.idle_cycles = 1;
+    state().lookouts.found_nothing = true;
+    state().lookouts.stepped = map().learned() - kLearned;  // there is news
+  }
+  bool is_free_at(const Vec3& place) {
+    const Grid& safe = map().safe();
+    return safe.free(safe.voxel_of(safe.to_local(place)));
+  }
+  bool begins() {
+    Work work;
+    return state().cycle.begin_step_back(state().facts, state().search, state().lookouts, state().draft, work);
+  }
+};
+
+TEST(FlightSidestep, AStuckVehicleStepsBackToAFreeVoxel) {
+  Stuck room;
+  ASSERT_FALSE(room.is_free_at(room.position()));
+  const std::uint32_t committed = room.report.committed;
+  for (int k = 0; k < 20 && room.report.committed == committed; ++k) room.tick();
+  ASSERT_EQ(room.report.committed, committed + 1);
+  const Commitment& step = room.state().facts.plans.latest();
+  EXPECT_TRUE(room.is_free_at(step.end()));
+  EXPECT_LT(distance(step.end(), room.position()), 1.0);
+  EXPECT_EQ(step.trajectory.count, 1) << "straight";
+  EXPECT_EQ(room.state().lookouts.stepped, room.map().learned());
+  EXPECT_FALSE(room.state().lookouts.may_step_back(room.map())) << "the map has learned nothing since";
+}
+
+TEST(FlightSidestep, OnlyAStuckVehicleStepsBack) {
+  Stuck room;
+  room.state().draft.begin(room.state().facts, 10);
+  EXPECT_TRUE(room.begins());
+  room.state().cycle.leave();
+  EXPECT_FALSE(room.state().cycle.is_sidestep());
+  room.state().facts.plans.in_flight.lifts = true;
+  EXPECT_FALSE(room.begins()) << "on its way up or down";
+  room.state().facts.plans.in_flight.lifts = false;
+  room.state().search.idle_cycles = 2;
+  EXPECT_FALSE(room.begins()) << "another attempt's turn";
+  room.state().search.idle_cycles = 1;
+  room.state().lookouts.found_nothing = false;
+  EXPECT_FALSE(room.begins()) << "a lookout may be found";
+}
+
+/// A keep-out begins around the vehicle: nowhere within reach of a step back is outside. These fail, and the next
+/// attempt leads out in time.
+TEST(FlightSidestep, StepsBackThatFailHoldNothingUp) {
+  static const Halfspace kPlanes[6] = {{{1, 0, 0}, 2.125},  {{-1, 0, 0}, 1.875}, {{0, 1, 0}, 2.125},
+                                       {{0, -1, 0}, 1.875}, {{0, 0, 1}, 10},     {{0, 0, -1}, 10}};
+  for (const double from : {4.2, 5.4, 6.6}) {
+    Fence fence{};
+    fence.kind = FenceKind::kKeepOut;
+    fence.planes = kPlanes;
+    fence.count = 6;
+    fence.from = static_cast<std::int64_t>(from * 1e9);
+    fence.until = 100000000000;
+    FlightSpec spec = FlightRoom::flight_spec();
+    spec.fences = &fence;
+    spec.fence_count = 1;
+    Stuck room(spec);
+    room.state().block = {BlockedBy::kFence, kZero, 0};
+    int in_vain = 0;
+    for (int k = 0; k < 1000; ++k) {
+      room.state().lookouts.found_nothing = true;
+      room.tick();
+      in_vain += room.state().cycle.steps_back ? 1 : 0;
+    }
+    EXPECT_GT(room.position().x, 2.125) << from << ": step backs for " << in_vain << " ticks";
+  }
 }
 
 /// Waits before a ball that covers its goal for good.

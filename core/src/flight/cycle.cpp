@@ -15,7 +15,8 @@ constexpr double kLeastWay = 0.6;
 /// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels near the vehicle are solid.
 /// In the second, those right beside it are free, so that it has a voxel to begin at. In the third, all are free.
 constexpr int kAttempts = 3;
-/// In the second one, a vehicle on its way to a lookout, with no free voxel to begin at, steps back instead.
+/// In the second one, a vehicle with no free voxel to begin at, on its way to a lookout or without one, steps back
+/// instead.
 constexpr int kStepsBackIn = 1;
 constexpr double kHoleVoxels = 2.0;
 
@@ -98,12 +99,14 @@ bool Cycle::begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) 
 bool Cycle::begin_step_back(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, Draft& draft,
                             Work& work) noexcept {
   const bool needs_way = lookouts.leads() || lookouts.may_step_back(flight.map);
-  steps_back = needs_way && attempt_of(search, lookouts) == kStepsBackIn && !is_hemmed_in(flight, draft.takeover) &&
-               is_squeezed(flight, draft.takeover);
-  steps_back = steps_back && sidesteps.begin_back(flight.map.safe(), flight.plans.sample_at(draft.takeover).position);
-  if (!steps_back) return false;
-  work.spend(ops::kTurn * kVoxelsBack);
+  const bool is_stuck = needs_way && attempt_of(search, lookouts) == kStepsBackIn && !flight.plans.in_flight.lifts &&
+                        !is_hemmed_in(flight, draft.takeover) && is_squeezed(flight, draft.takeover);
+  if (!is_stuck) return false;
   expected.expect(flight.tracks, flight.time);
+  work.spend((ops::kDot + ops::kTurn) * kVoxelsBack);
+  const int stays = steps_at_end(flight, expected, draft.takeover, work);
+  steps_back = sidesteps.begin_back(flight.map.safe(), flight.plans.sample_at(draft.takeover).position, stays);
+  if (!steps_back) return false;
   draft.plan.tubes.take(flight.tracks);
   draft.proven_on = flight.map.safe().revision();
   job = Job::kSidestep;

@@ -92,7 +92,10 @@ struct Cycle {
   bool gave_way;        ///< this cycle looks for a sidestep. The next one makes a plan
   TrackTable expected;  ///< what things that move are expected to do: the plan keeps clear of that
 
-  void leave() noexcept { job = Job::kIdle; }
+  void leave() noexcept {
+    job = Job::kIdle;
+    steps_back = false;
+  }
   void forget_cut_off() noexcept { cut_off = false; }
   void begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, std::int64_t takeover,
              Work& work) noexcept;

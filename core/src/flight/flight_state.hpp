@@ -98,6 +98,7 @@ class FlightState {
   void enter_draft() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
+  void next_attempt() noexcept;
   FlightReason reason_of_landing(FlightReason why) const noexcept;
   void park(FlightReason why) noexcept;
   bool leave_out(std::int32_t point, FlightReason why) noexcept;

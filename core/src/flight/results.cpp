@@ -17,7 +17,7 @@ void FlightState::begin_cycle() noexcept {
     ++report.asked;
     return;
   }
-  if (cycle.begin_step_back(facts, search, lookouts, draft, tick_work)) {
+  if (!is_leaving && cycle.begin_step_back(facts, search, lookouts, draft, tick_work)) {
     ++report.asked;
     return;
   }
@@ -206,7 +206,7 @@ void FlightState::enter_draft() noexcept {
     if (facts.itinerary.is_hopeless()) park(FlightReason::kNoProgress);
   }
   if (!evasion.is_running) facts.itinerary.note_held_up(cycle.gave_way);
-  if (cycle.steps_back && !lookouts.leads()) lookouts.note_step_back(facts.map);
+  if (cycle.steps_back && !evasion.is_running && !lookouts.leads()) lookouts.note_step_back(facts.map);
   cycle.leave();
   cycle.met_things = 0;
   evasion.leave();
@@ -227,8 +227,10 @@ void FlightState::fail() noexcept {
 
 /// A cycle or an evasion ends without a commit.
 void FlightState::give_up() noexcept {
+  const bool was_step_back = cycle.steps_back && !evasion.is_running;
   cycle.leave();
   evasion.leave();
+  if (was_step_back) return next_attempt();
   // What moves will be elsewhere soon, and a fence may end or begin: no reason to look around, or to give up.
   const bool is_by_thing = block.is_temporary(facts, tick_work) || cycle.gave_way;
   if (is_by_thing && block.by != BlockedBy::kFence && facts.rests()) facts.itinerary.note_held_up(true);
@@ -245,6 +247,12 @@ void FlightState::give_up() noexcept {
   if (why == FlightReason::kNoProgress && !had_turned && lookouts.searches_again(facts)) return;
   const bool is_for_ever = block.by == BlockedBy::kFence || !is_by_time(report.plan);
   if (why != FlightReason::kNone && is_for_ever) park(why);
+}
+
+/// A step back that failed says nothing of the plans, nor what is in their way: the next attempt is another one.
+void FlightState::next_attempt() noexcept {
+  lookouts.note_failure(facts);
+  search.count_idle();
 }
 
 /// Why the vehicle does not land, if that is why it rests.

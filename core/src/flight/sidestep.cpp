@@ -47,8 +47,8 @@ void Sidesteps::begin(int steps_of_staying) noexcept {
   begin_anew();
 }
 
-bool Sidesteps::begin_back(const Grid& safe, const Vec3& from) noexcept {
-  begin(0);
+bool Sidesteps::begin_back(const Grid& safe, const Vec3& from, int steps_of_staying) noexcept {
+  begin(steps_of_staying - 1);  // a place that stays clear for as long will do
   const Voxel at = safe.voxel_of(safe.to_local(from));
   for (std::int32_t z = at.z - kMostBack; z <= at.z + kMostBack; ++z) {
     for (std::int32_t y = at.y - kMostBack; y <= at.y + kMostBack; ++y) {
@@ -87,7 +87,7 @@ bool Sidesteps::next() noexcept {
     are_scored = ++candidate == candidates;
     if (!are_scored) return true;
   }
-  int best = kPerStep * (stays + 1) - 1;
+  int best = stays < 0 ? 0 : kPerStep * (stays + 1) - 1;
   candidate = -1;
   for (int n = 0; n < candidates; ++n) {
     if (score[n] <= best) continue;
@@ -135,13 +135,18 @@ std::int64_t sidestep_ticks(const FlightSpec& spec) noexcept {
   return std::int64_t{kSidestepWork / (spec.work_per_tick / 2)} + 2;
 }
 
+int steps_at_end(const FlightFacts& flight, const TrackTable& expected, std::int64_t takeover, Work& work) noexcept {
+  const Commitment& latest = flight.plans.latest();
+  const double from = larger(duration(latest.trajectory), latest.time_at(takeover));
+  return rest_steps(latest.trajectory, from, expected, flight.map.safe().spec().clearance(), work);
+}
+
 bool is_in_the_way(const FlightFacts& flight, const TrackTable& expected, std::int64_t takeover, int& stays,
                    Work& work) noexcept {
   const Commitment& latest = flight.plans.latest();
   const double rests_in = seconds_between(takeover, latest.begin() + nanoseconds(duration(latest.trajectory)));
   if (expected.count == 0 || rests_in > kRestsSoon) return false;
-  const double from = larger(duration(latest.trajectory), latest.time_at(takeover));
-  stays = rest_steps(latest.trajectory, from, expected, flight.map.safe().spec().clearance(), work);
+  stays = steps_at_end(flight, expected, takeover, work);
   return larger(0.0, rests_in) + stays * kRestStep < kMetSoon;
 }
 

@@ -39,7 +39,7 @@ struct Sidesteps {
   void begin(int steps_of_staying) noexcept;
   /// The candidates lead straight to one of the free voxels that are nearest to this place. False if there is none near
   /// it.
-  bool begin_back(const Grid& safe, const Vec3& from) noexcept;
+  bool begin_back(const Grid& safe, const Vec3& from, int steps_of_staying) noexcept;
   /// The same again, because what the proofs were made with changed.
   void begin_anew() noexcept;
   /// The sidesteps whose ends stay clear for longest come first, and of these those that lead nearer to the target.
@@ -55,6 +55,9 @@ struct Sidesteps {
 
 /// Ticks from the beginning of a sidestep to its takeover.
 std::int64_t sidestep_ticks(const FlightSpec& spec) noexcept;
+
+/// For how many steps the end of the committed plan stays clear, from this takeover or from that end on.
+int steps_at_end(const FlightFacts& flight, const TrackTable& expected, std::int64_t takeover, Work& work) noexcept;
 
 /// True if the vehicle rests soon after this takeover, where a thing is expected within a short time. `stays` receives
 /// for how many steps that place stays clear.

@@ -149,8 +149,8 @@ bool Optics::in_wide_sight(const RollingMap& map, const SensorPose& pose, const 
   for (int corner = 0; corner < 4; ++corner) {
     const double x = corner % 2 == 0 ? across.least : across.most;
     const double y = corner / 2 == 0 ? down.least : down.most;
-    const Vec3 to = pose.eye + far * (axes.ahead + x * axes.right + y * axes.down);
-    if (!line_is_free(map, pose.eye, to, 0.0, work)) return false;
+    const Vec3 slope = axes.ahead + x * axes.right + y * axes.down;
+    if (!line_is_free(map, pose.eye, pose.eye + depth * slope, (far - depth) * length(slope), work)) return false;
   }
   return true;
 }
