@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/airspace/airspace_doubts.hpp"
 #include "host/airspace/zone_distance.hpp"
 
 namespace tern_host {
@@ -120,13 +121,16 @@ class AirspaceMaker {
     check_names(settings_.keep_in, files_);
     out_.origin = heights_->frame().origin();
     out_.knows_height = heights_->knows_origin();
+    warn(doubt_of_ground(settings_.heights, *heights_));
+    warn(doubt_of_home(settings_.heights, *heights_));
     for (const AirspaceFile& file : files_) {
       for (const Zone& zone : file.zones) add(zone);
       out_.left_out.insert(out_.left_out.end(), file.left_out.begin(), file.left_out.end());
       if (!file.mission) continue;
-      add_points(file.mission->points, out_.points);
-      add_points(file.mission->rally, out_.rally);
+      add_points(file.mission->points, "point", out_.points);
+      add_points(file.mission->rally, "rally point", out_.rally);
     }
+    warn(doubt_of_points(out_.points, settings_.fit.boundary));
     out_.settings = settings_;
     return std::move(out_);
   }
@@ -168,6 +172,7 @@ class AirspaceMaker {
       }
     }
     note_work(entry.zone);
+    warn(doubt_of_heights(entry.zone, *heights_, settings_.fit.boundary));
     entry.fit = fit_zone(entry.zone, *heights_, settings_.fit);
     if (entry.fit.fences.empty()) {
       entry.left_out = why_no_fence(entry);
@@ -184,11 +189,18 @@ class AirspaceMaker {
     if (entry.fit.flat) return "has no area";
     if (entry.fit.above) return "at the boundary, but at other heights";
     const ZoneDistance distance = zone_distance(entry.zone, heights_->frame());
-    if (distance.is_swapped() && ++swapped_ == 1 && settings_.note) {
-      settings_.note("warning: " + printable(entry.zone.name) + ", " + entry.zone.place + ", is " +
-                     distance_text(distance) + ": does its file, or --origin, have them the wrong way round?");
-    }
+    warn_if_swapped(distance, printable(entry.zone.name) + ", " + entry.zone.place + ",");
     return "not at the boundary: " + distance_text(distance);
+  }
+
+  /// Of the first only: where one is swapped, most are.
+  void warn_if_swapped(const ZoneDistance& distance, const std::string& what) {
+    if (!distance.is_swapped() || ++swapped_ > 1) return;
+    warn(what + " is " + distance_text(distance) + ": does its file, or --origin, have them the wrong way round?");
+  }
+
+  void warn(const std::string& what) const {
+    if (!what.empty() && settings_.note) settings_.note("warning: " + what);
   }
 
   void note_work(const Zone& zone) const {
@@ -202,15 +214,19 @@ class AirspaceMaker {
                    " corners: this may take a while");
   }
 
-  void add_points(const std::vector<ItineraryPoint>& from, std::vector<LocalPoint>& to) const {
+  void add_points(const std::vector<ItineraryPoint>& from, const std::string& what, std::vector<LocalPoint>& to) {
     for (const ItineraryPoint& p : from) {
+      const std::string name = what + " " + std::to_string(to.size() + 1) + " of the mission";
+      Zone place;
+      place.areas.push_back({{p.point}, {}});
+      warn_if_swapped(zone_distance(place, heights_->frame()), name);
       const Plan2 at = heights_->frame().plan(p.point);
       try {
         const HeightRange z = heights_->local(p.height, {at, at});
         // Not lower than the file says, wherever the ground is.
         to.push_back({{at.east, at.north, z.high}, p.tolerance, p.dwell});
       } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument("point " + std::to_string(to.size() + 1) + " of the mission: " + error.what());
+        throw std::invalid_argument(name + ": " + error.what());
       }
     }
   }
@@ -218,7 +234,7 @@ class AirspaceMaker {
   const std::vector<AirspaceFile>& files_;
   AirspaceSettings settings_;
   std::unique_ptr<ZoneHeights> heights_;
-  int swapped_ = 0;  // zones whose latitude and longitude are most likely swapped
+  int swapped_ = 0;  // zones and points whose latitude and longitude are most likely swapped
   Airspace out_;
 };
 

@@ -66,6 +66,9 @@ std::string fences_text(const Airspace& airspace);
 /// What there is and what became of it, for people.
 std::string airspace_table(const Airspace& airspace);
 
+/// A height with its reference, such as "150 AGL"; `otherwise` where there is none.
+std::string height_text(const std::optional<ZoneHeight>& height, const char* otherwise);
+
 /// The boundary and the fences in plan.
 std::string airspace_svg(const Airspace& airspace);
 

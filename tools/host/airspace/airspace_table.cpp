@@ -20,12 +20,6 @@ std::string padded(const std::string& text, std::size_t width) {
   return text + std::string(is < width ? width - is : 0, ' ');
 }
 
-std::string height_text(const std::optional<ZoneHeight>& height, const char* otherwise) {
-  if (!height) return otherwise;
-  const char* const names[] = {"WGS84", "AMSL", "AGL", "above home"};
-  return brief(height->metres) + " " + names[static_cast<int>(height->reference)];
-}
-
 std::string times_text(const AirspaceEntry& entry) {
   if (entry.zone.times.empty()) return "always";
   if (entry.spans.empty()) return "not then";
@@ -121,6 +115,12 @@ std::string hold_text(const std::vector<LocalPoint>& points, std::size_t i) {
 }
 
 }  // namespace
+
+std::string height_text(const std::optional<ZoneHeight>& height, const char* otherwise) {
+  if (!height) return otherwise;
+  const char* const names[] = {"WGS84", "AMSL", "AGL", "above home"};
+  return brief(height->metres) + " " + names[static_cast<int>(height->reference)];
+}
 
 std::string airspace_table(const Airspace& airspace) {
   std::vector<Row> rows{

@@ -37,6 +37,7 @@ void read_heights(const JsonNode& layer, const char* lower, const char* lower_re
   };
   if (layer.has(lower)) zone.lower = height(lower, lower_reference);
   if (layer.has(upper) && layer.at(upper).number_or_text() < kUnlimited) zone.upper = height(upper, upper_reference);
+  zone.empty_is_all = true;
   const bool empty = zone.lower && zone.upper && zone.lower->reference == zone.upper->reference &&
                      zone.upper->metres <= zone.lower->metres;
   if (!empty) return;

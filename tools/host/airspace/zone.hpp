@@ -55,6 +55,7 @@ struct Zone {
   std::vector<ZoneArea> areas;
   std::optional<ZoneHeight> lower;
   std::optional<ZoneHeight> upper;
+  bool empty_is_all = false;         ///< its format means all heights by a top that is not above the bottom
   bool slants = false;               ///< its top is not level, and `upper` the highest place of it
   std::vector<Applicability> times;  ///< none: always
   std::vector<std::string> notes;    ///< what the reader made of things that a format leaves open

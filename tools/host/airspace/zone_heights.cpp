@@ -131,6 +131,20 @@ HeightRange ZoneHeights::local(const ZoneHeight& height, const PlanBox& box) con
   return {m + below.low + geoid.low - origin, m + below.high + geoid.high - origin};
 }
 
+std::optional<HeightRange> ZoneHeights::known_ground(const PlanBox& box) const {
+  if (!known_ || !knows_sea_level() || (terrain_ == nullptr && !sources_.ground)) return std::nullopt;
+  try {
+    return ground(box);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // the terrain ends before the box
+  }
+}
+
+std::optional<double> ZoneHeights::origin_above_sea_level() const {
+  if (!known_ || !knows_sea_level()) return std::nullopt;
+  return frame_.origin().height - undulation_at(frame_.origin().point);
+}
+
 HeightRange ZoneHeights::above_sea_level(const HeightRange& above_ellipsoid, const PlanBox& box) const {
   const HeightRange geoid = undulation(box);
   return {above_ellipsoid.low - geoid.high, above_ellipsoid.high - geoid.low};

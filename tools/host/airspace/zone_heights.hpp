@@ -56,6 +56,11 @@ class ZoneHeights {
   /// Where, in the frame, a surface `height` above its reference is within the box.
   HeightRange local(const ZoneHeight& height, const PlanBox& box) const;
 
+  /// Lowest and highest ground within the box above mean sea level; none if it is not known, or not where it is.
+  std::optional<HeightRange> known_ground(const PlanBox& box) const;
+  /// Height of the origin above mean sea level; none if it is not known.
+  std::optional<double> origin_above_sea_level() const;
+
   /// True if heights can be given above mean sea level, too.
   bool knows_sea_level() const { return sources_.undulation.has_value() || geoid_ != nullptr; }
   /// Heights above the ellipsoid as heights above mean sea level, which hold them wherever in the box they are.
