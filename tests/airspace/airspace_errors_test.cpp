@@ -92,6 +92,15 @@ std::string misspelt(std::string text, const std::string& member, const std::str
   return text;
 }
 
+TEST(AirspaceErrors, SayWhatIsRead) {
+  expect_error(spoiled("geozones.ed269.json", "\"radius\": 150", "\"radius\": null"),
+               "horizontalProjection: 'radius' is null: it needs a value");
+  for (const char* const text : {"QGC WPL 110\n0\t1\t0\n", "name,latitude\n"}) {
+    expect_error(text,
+                 "What is read is KML, KMZ, and JSON: GeoJSON, ED-269, ED-318, F3548 or a plan of QGroundControl");
+  }
+}
+
 TEST(AirspaceErrors, OfMisspeltMembers) {
   const std::string older = content("geozones.ed269.json"), newer = content("geozones.ed318.json");
   expect_error(misspelt(older, "\"identifier\"", "\"identifer\""),

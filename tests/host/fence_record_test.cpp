@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -96,6 +97,26 @@ TEST(FenceRecord, NamesAreInMessages) {
   const tern_host::NearestFence nearest = nearest_fence(plan.trajectory, plan.scenario);
   EXPECT_EQ(nearest.index, 0);
   EXPECT_NEAR(nearest.gap, 3.0, 1e-9);
+}
+
+TEST(FenceRecord, NearestIsNotOverstated) {
+  // A wedge that points at a straight way of a kilometre, beside samples a centimetre apart.
+  tern_host::Session session;
+  for (const double tip : {480.3, 501.2, 523.1}) {
+    const std::string x = std::to_string(tip - 3.0), y = std::to_string(-tip - 3.0);
+    const tern_host::PlanResult plan = session.plan(tern_host::parse_scenario(
+        "boundary 0 -20 0 1000 20 20\nresolution 1\nstart 5 0 10\ngoal 995 0 10\nv_max 10\nkeepout_halfspaces 1 -1 0 " +
+            x + " -1 -1 0 " + y + "\n",
+        "map.txt"));
+    ASSERT_TRUE(plan.ok());
+    double least = 1e9;
+    for (double t = 0.0; t < tern::duration(plan.trajectory); t += 1e-3) {
+      least = std::min(least, fence_gap(plan.scenario.fences[0], tern::evaluate(plan.trajectory, t).position));
+    }
+    const tern_host::NearestFence nearest = nearest_fence(plan.trajectory, plan.scenario);
+    EXPECT_EQ(nearest.index, 0);
+    EXPECT_NEAR(nearest.gap, least, tern_host::kGapError) << tip;
+  }
 }
 
 TEST(FenceRecord, ABoxHasSixPlanes) {

@@ -10,7 +10,10 @@
 
 namespace tern_host {
 
-/// The fence that a plan comes nearest to while it holds, and how near at the plan's sampled times, m.
+/// By how much the least gap may be overstated, metres.
+constexpr double kGapError = 0.01;
+
+/// The fence that a plan comes nearest to while it holds, and how near, m, to kGapError.
 struct NearestFence {
   std::int32_t index = -1;  ///< -1: no fence holds during the plan
   double gap = 0.0;

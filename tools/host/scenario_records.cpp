@@ -94,7 +94,10 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   }
   Setting* const setting = find(key);
   if (setting == nullptr) {
-    throw ScenarioError(place, "unknown record " + quote(key) + " in a scenario; `tern fly` reads flight worlds");
+    const bool is_zones = key[0] == '{' || key[0] == '[' || key[0] == '<';
+    throw ScenarioError(place, "unknown record " + quote(key) + " in a scenario; " +
+                                   (is_zones ? "`tern airspace` reads zones and missions in JSON or KML"
+                                             : "`tern fly` reads flight worlds"));
   }
   if (setting->given) {
     throw ScenarioError(place, "'" + key + "' is given twice" + first_given(setting->place));

@@ -84,6 +84,7 @@ bool JsonNode::has(const char* key) const {
 
 JsonNode JsonNode::at(const char* key) const {
   if (!value_->is_object()) refuse("this is no object, so it has no '" + std::string(key) + "'");
+  if (value_->contains(key) && !has(key)) refuse("'" + std::string(key) + "' is null: it needs a value");
   if (!has(key)) refuse("'" + std::string(key) + "' is missing" + misspelt_text(*value_, key));
   return {(*value_)[key], file_, path_ + "/" + key};
 }

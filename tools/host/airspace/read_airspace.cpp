@@ -10,6 +10,8 @@
 namespace tern_host {
 namespace {
 
+constexpr const char* kJsonFormats = "GeoJSON, ED-269, ED-318, F3548 or a plan of QGroundControl";
+
 /// By what no other GeoJSON has, so that a misspelt member is refused as one of ED-318: as GeoJSON, circles and
 /// heights would not be read.
 bool is_geozone(const JsonNode& feature) {
@@ -48,8 +50,7 @@ AirspaceFile read_json(const JsonNode& document) {
     if (std::any_of(features.begin(), features.end(), is_geozone)) return read_ed318(document);
   }
   if (document.has("type")) return read_geojson(document);
-  document.refuse(
-      "this is none of the JSON formats that are read: GeoJSON, ED-269, ED-318, F3548 or a plan of QGroundControl");
+  document.refuse("this is none of the JSON formats that are read: " + std::string(kJsonFormats));
 }
 
 }  // namespace
@@ -63,7 +64,9 @@ AirspaceFile parse_airspace(const std::string& bytes, const std::string& name) {
     throw RecordError({name, 0}, "the file is in UTF-16: save it in UTF-8");
   }
   if (bytes[first] == '<') return read_kml(bytes, name);
-  const nlohmann::json document = parse_json(bytes, name);
+  const bool may_be_json = bytes[first] == '{' || bytes[first] == '[';
+  const std::string advice = may_be_json ? "" : std::string("What is read is KML, KMZ, and JSON: ") + kJsonFormats;
+  const nlohmann::json document = parse_json(bytes, name, advice);
   return read_json(JsonNode(document, name));
 }
 
