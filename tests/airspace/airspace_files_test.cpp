@@ -159,6 +159,14 @@ TEST(Airspace, ZonesThatSayNoTimesHoldAlways) {
   EXPECT_TRUE(first("[" + dated + ", {\"permanent\": \"NO\"}]").times.empty()) << "one period of all is always";
 }
 
+TEST(Airspace, NamesAreNoTimes) {
+  std::vector<AirspaceFile> files{tern_host::parse_airspace(content("zones.geojson"), "a")};
+  for (tern_host::Zone& zone : files[0].zones) zone.name = "during it, during 3 4 " + zone.name;
+  const std::string text = tern_host::fences_text(tern_host::make_airspace(files, lake_settings()));
+  EXPECT_NE(text.find(" zone During it, During 3 4 Lake\n"), std::string::npos) << text;
+  EXPECT_NO_THROW(tern_host::parse_scenario(text + "start -900 -900 50\ngoal 900 -500 50\n", "lake.txt"));
+}
+
 TEST(Airspace, WritesRecordsOfAScenario) {
   AirspaceSettings settings = lake_settings();
   settings.epoch = tern_host::parse_instant("2026-03-01T08:00:00Z");

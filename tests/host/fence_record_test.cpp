@@ -59,6 +59,9 @@ TEST(FenceRecord, MayHaveAName) {
   EXPECT_EQ(named.until, 4000000000);
   EXPECT_EQ(left, 5u);
   EXPECT_THROW(end_of("keepout 0 0 0 1 1 1 zone"), tern_host::RecordError);
+  for (const char* times : {"3 4", "-100 1e999 0.5", "5"}) {
+    EXPECT_THROW(end_of(std::string("keepin 0 0 0 1 1 1 zone Lake during ") + times), tern_host::RecordError) << times;
+  }
 
   const tern_host::Scenario scenario = tern_host::parse_scenario(
       "boundary 0 0 0 9 9 9\nstart 1 1 1\ngoal 8 8 8\nkeepin 0 0 0 9 9 9 zone City\nkeepout_halfspaces -1 0 0 -8 "

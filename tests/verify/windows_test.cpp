@@ -6,6 +6,7 @@
 
 #include "verify/fence_records.hpp"
 #include "verify/fences.hpp"
+#include "verify/track_records.hpp"
 
 namespace tern_verify {
 namespace {
@@ -37,6 +38,10 @@ TEST(Windows, RecordsSayWhenTheyHold) {
   EXPECT_EQ(fence_from(record("keepin 0 0 0 1 2 3 during 4 5 zone Closed during events")).zone, "Closed during events");
   EXPECT_EQ(title_of({half, fence_from(record("keepin 0 0 0 1 2 3 zone Old \x1B town"))}, 1), "fence 2 Old ? town");
   EXPECT_EQ(title_of({half}, 0), "fence 1");
+  EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 zone Lake during 4 5")), InputError);
+  EXPECT_FALSE(is_track_record(record("keepout 0 0 0 1 2 3 zone Closed during events")));
+  EXPECT_TRUE(is_track_record(record("keepout 0 0 0 1 2 3 during 4 5 zone Lake")));
+  EXPECT_THROW(is_track_record(record("keepout 0 0 0 1 2 3 zone Lake during 4 5")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4 4")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4 5 -1")), InputError);

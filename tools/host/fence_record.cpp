@@ -120,11 +120,20 @@ void read_window(const Words& words, const Place& place, FenceEnd& end) {
 
 }  // namespace
 
+bool hides_times(const Words& name) {
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    double value = 0.0;
+    if (name[i - 1] == "during" && parse_number(name[i], value) != NumberError::kMalformed) return true;
+  }
+  return false;
+}
+
 FenceEnd take_end(const Place& place, Words& words) {
   FenceEnd end;
-  // A name may have any words: it is taken off first.
+  // A name may have 'during' too: it is taken off first.
   const Words zone = take_from("zone", words), during = take_from("during", words);
   if (zone.size() == 1) throw RecordError(place, "'zone' needs a name");
+  if (hides_times(zone)) throw RecordError(place, "a name is to the end of the line: write 'during t0 t1 zone NAME'");
   for (std::size_t i = 1; i < zone.size(); ++i) end.zone += (i > 1 ? " " : "") + zone[i];
   if (!during.empty()) read_window(during, place, end);
   return end;

@@ -43,6 +43,9 @@ struct FenceEnd {
   bool has_times() const { return from != until; }
 };
 
+/// True if a name has `during` before a number: it would swallow the times of a fence, which then held always.
+bool hides_times(const Words& name);
+
 /// Takes `during t0 t1` or `during t0 t1 error`, and `zone` with a name to the end of the line, off a record. Throws
 /// RecordError.
 FenceEnd take_end(const Place& place, Words& words);

@@ -36,6 +36,10 @@ std::string take_zone(Record& record) {
   const auto zone = std::find(record.words.begin(), record.words.end(), "zone");
   std::string name;
   for (auto word = zone; word != record.words.end(); ++word) {
+    // The times would be lost in the name, and the fence would hold always.
+    if (*word == "during" && word + 1 != record.words.end() && is_number(word[1])) {
+      record.refuse("the times come before the name: 'during t0 t1 zone NAME'");
+    }
     if (word != zone) name += (name.empty() ? "" : " ") + *word;
   }
   record.words.erase(zone, record.words.end());

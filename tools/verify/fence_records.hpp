@@ -19,6 +19,7 @@ bool is_fence(const std::string& key);
 /// Takes `during t0 t1` or `during t0 t1 error` off the end of a record.
 std::optional<Window> take_window(Record& record);
 /// Takes `zone` with a name off the end of a record, before the window. Control characters stay out of terminals.
+/// Throws InputError where the name has `during` before a number.
 std::string take_zone(Record& record);
 /// A record for which is_fence() holds.
 Fence fence_from(const Record& record);

@@ -12,15 +12,28 @@ void Record::refuse(const std::string& reason) const {
   throw InputError(file + ":" + std::to_string(line) + ": " + reason);
 }
 
+namespace {
+
+/// NaN for what is no number.
+double value_of(const std::string& word) {
+  std::istringstream stream(word);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  stream >> value;
+  return stream.fail() || !stream.eof() ? std::nan("") : value;
+}
+
+}  // namespace
+
+bool is_number(const std::string& word) {
+  return std::isfinite(value_of(word));
+}
+
 std::vector<Rational> Record::numbers(std::size_t first) const {
   std::vector<Rational> values;
   for (std::size_t i = first; i < words.size(); ++i) {
-    std::istringstream stream(words[i]);
-    stream.imbue(std::locale::classic());
-    double value = 0.0;
-    stream >> value;
-    if (stream.fail() || !stream.eof() || !std::isfinite(value)) refuse("'" + words[i] + "' is no number");
-    values.emplace_back(value);
+    if (!is_number(words[i])) refuse("'" + words[i] + "' is no number");
+    values.emplace_back(value_of(words[i]));
   }
   return values;
 }

@@ -13,6 +13,9 @@
 
 namespace tern_verify {
 
+/// True if all of the word is a finite number.
+bool is_number(const std::string& word);
+
 struct Record {
   std::string file;
   int line;

@@ -136,7 +136,9 @@ Thing keep_out_from(const Record& record) {
 }
 
 bool has_window(const Record& record) {
-  return std::find(record.words.begin(), record.words.end(), "during") != record.words.end();
+  Record box = record;
+  take_zone(box);  // the name may have the word, too
+  return take_window(box).has_value();
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace tern_verify {
 
-/// True for `track`, `track_piece`, and `keepout` with `during`.
+/// True for `track`, `track_piece`, and `keepout` with `during`. Throws InputError where the times are wrong.
 bool is_track_record(const Record& record);
 
 /// Adds the thing, or the piece of the last thing of that name. Throws InputError.

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host/airspace/airspace.hpp"
+#include "host/fence_record.hpp"
 #include "host/number.hpp"
 #include "tern/config.hpp"
 
@@ -31,10 +32,13 @@ std::string record(const FittedFence& fence) {
   return line;
 }
 
-/// As the end of a record: a '#' would begin a comment.
+/// As the end of a record: a '#' would begin a comment, and `during` with a number after it would be its times.
 std::string zone_end(const Zone& zone) {
   std::string name = printable(zone.name, 80);
   std::replace(name.begin(), name.end(), '#', '-');
+  if (hides_times(split_words(name, false))) {
+    for (std::size_t at = name.find("during"); at != std::string::npos; at = name.find("during")) name[at] = 'D';
+  }
   return name.find_first_not_of(' ') == std::string::npos ? "\n" : " zone " + name + "\n";
 }
 
