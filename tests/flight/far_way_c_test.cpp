@@ -85,6 +85,8 @@ TEST(FarWayC, AnswersWhatIsWrong) {
   const tern_far_way_spec none{0.0, 1};
   tern_grid unbound{};
   EXPECT_EQ(tern_far_way_start(&far_way, &none, &c.grid, &c.planner), kRefused);
+  const tern_far_way_spec near{11.9, 1};
+  EXPECT_EQ(tern_far_way_start(&far_way, &near, &c.grid, &c.planner), kRefused);
   EXPECT_EQ(tern_far_way_start(&far_way, &kAhead, &unbound, &c.planner), kRefused);
   EXPECT_EQ(tern_far_way_start(&far_way, &kAhead, &c.grid, nullptr), kRefused);
   EXPECT_EQ(tern_far_way_start(&far_way, nullptr, &c.grid, &c.planner), kRefused);

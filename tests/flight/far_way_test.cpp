@@ -9,92 +9,26 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
-#include "support/grid_storage.hpp"
-#include "support/owned_map.hpp"
+#include "support/far_world.hpp"
 #include "support/random.hpp"
 #include "support/reference_search.hpp"
-#include "tern/workspace.hpp"
 
 namespace {
 
-using tern::Box;
 using tern::FarState;
 using tern::FarWay;
-using tern::FarWaySpec;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
-using tern_test::OwnedGrid;
-using tern_test::OwnedMap;
+using tern_test::build_blocks;
+using tern_test::build_streets;
+using tern_test::FarWorld;
+using tern_test::kCoarse;
+using tern_test::kMuch;
 using tern_test::Random;
-using tern_test::whole_grid;
-
-constexpr double kCoarse = 4.0;
-constexpr std::int64_t kTick = 10000000;
-constexpr std::uint32_t kMuch = 1000000000;
-
-/// A coarse grid with its planner, and a rolling map of 0.5 m that has its middle at `middle`.
-struct FarWorld {
-  explicit FarWorld(const Voxel& dims, const Vec3& middle = {64.0, 64.0, 8.0})
-      : coarse(whole_grid(dims, kCoarse, 0.0)),
-        seen(tern::map_spec({middle.x - 32.0, middle.y - 32.0, middle.z - 8.0}, 0.5, {128, 128, 32}, 0.5)),
-        memory(new tern::Workspace),
-        planner(memory.get(), sizeof *memory) {}
-
-  void block(const Box& box) { EXPECT_EQ(coarse.grid.mark_box(box), Status::kOk); }
-  void begin(const Vec3& goal, const FarWaySpec& spec = {40.0}) {
-    coarse.grid.inflate();
-    ASSERT_EQ(far.start(spec, coarse.grid, planner), Status::kOk);
-    ASSERT_EQ(far.set_goal(goal), Status::kOk);
-  }
-  bool tick(const Vec3& at, bool gave_up = false, std::uint32_t work = kMuch) {
-    return far.tick(at, gave_up, seen.map, time += kTick, work);
-  }
-  void find_way(const Vec3& from) {
-    for (int k = 0; k < 100000 && far.state() == FarState::kSearching; ++k) tick(from);
-  }
-  /// The near goals of a vehicle that is at each as soon as it is told.
-  std::vector<Vec3> near_goals(Vec3 at) {
-    std::vector<Vec3> all;
-    for (int k = 0; k < 1000 && (all.empty() || !far.is_last()); ++k) {
-      if (!tick(at)) continue;
-      all.push_back(far.near_goal());
-      at = far.near_goal();
-    }
-    return all;
-  }
-  /// The grid's origin is the world's.
-  Vec3 centre(const Voxel& v) const { return coarse.grid.center(v); }
-
-  OwnedGrid coarse;
-  OwnedMap seen;
-  std::unique_ptr<tern::Workspace> memory;
-  tern::Planner planner;
-  FarWay far;
-  std::int64_t time = 0;
-};
-
-Voxel random_free(const tern::Grid& grid, Random& random) {
-  const Voxel& dims = grid.spec().dims;
-  for (;;) {
-    const Voxel v{random.integer(0, dims.x - 1), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)};
-    if (grid.free(v)) return v;
-  }
-}
-
-/// Blocks in a coarse grid of 24 x 20 x 6 cells.
-void build_blocks(Random& random, FarWorld& world) {
-  const int count = random.integer(0, 60);
-  for (int k = 0; k < count; ++k) {
-    const Vec3 low{random.real(0.0, 90.0), random.real(0.0, 75.0), 0.0};
-    world.block({low, {low.x + random.real(1.0, 20.0), low.y + random.real(1.0, 20.0), random.real(2.0, 24.0)}});
-  }
-  if (random.chance(0.3)) world.block({{48.0, 0.0, 0.0}, {49.0, 80.0, 24.0}});  // a wall from end to end
-  world.coarse.grid.inflate();
-}
+using tern_test::random_free;
 
 TEST(FarWay, FindsWhatAPlainSearchFinds) {
   Random random(1);
@@ -159,14 +93,6 @@ TEST(FarWay, LeadsAroundACourtThatTheCoarseGridKnows) {
   for (const Vec3& at : world.near_goals({10.0, 64.0, 6.0})) {
     EXPECT_FALSE(at.x > 28.0 && at.x < 84.0 && at.y > 36.0 && at.y < 92.0) << at.x << ' ' << at.y;
   }
-}
-
-/// Two streets around a block of 8 x 24 cells. The rolling map shows a wall across the one that is shorter.
-FarWorld& build_streets(FarWorld& world) {
-  world.block({{40.0, 24.0, 0.0}, {88.0, 116.0, 16.0}});
-  world.begin({116.0, 40.0, 6.0});
-  EXPECT_EQ(world.seen.map.mark_box({{60.0, 0.0, 0.0}, {60.5, 24.0, 16.0}}), Status::kOk);
-  return world;
 }
 
 bool wait(FarWorld& world, const Vec3& at, int ticks) {
@@ -245,8 +171,8 @@ TEST(FarWay, WhereNothingIsSeenTheCellAheadLeadsNowhere) {
 }
 
 TEST(FarWay, GivesUpWithTheVehicleIfNoCellIsLeft) {
-  FarWorld world({3, 1, 1});
-  world.begin({10.0, 2.0, 2.0}, {4.0});
+  FarWorld world({6, 1, 1});
+  world.begin({22.0, 2.0, 2.0}, {12.0});
   const Vec3 at{2.0, 2.0, 2.0};
   world.find_way(at);
   ASSERT_FALSE(world.far.is_last());
@@ -327,6 +253,8 @@ TEST(FarWay, Refuses) {
   EXPECT_EQ(far.start({40.0}, world.coarse.grid, world.planner), Status::kInvalidArgument);  // not inflated
   world.coarse.grid.inflate();
   EXPECT_EQ(far.start({0.0}, world.coarse.grid, world.planner), Status::kInvalidArgument);
+  EXPECT_EQ(far.start({11.99}, world.coarse.grid, world.planner), Status::kInvalidArgument);  // less than three cells
+  EXPECT_EQ(FarWay{}.start({12.0}, world.coarse.grid, world.planner), Status::kOk);
   EXPECT_EQ(far.start({40.0, 0}, world.coarse.grid, world.planner), Status::kInvalidArgument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(far.start({nan}, world.coarse.grid, world.planner), Status::kNonFiniteInput);

@@ -4,9 +4,11 @@
 // Deliveries below the roofs of a city, past a court that a coarse grid knows: with a far way and without one.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "host/flight/far_guide.hpp"
 #include "host/flight/flight_replay.hpp"
 #include "host/flight/simulated_flight.hpp"
 
@@ -52,6 +54,34 @@ TEST(FarWayFlights, ReplaysToTheSameBits) {
   const tern_host::FlightReplay replay = tern_host::replay_flight(record);
   EXPECT_EQ(replay.difference, "");
   EXPECT_GT(replay.ticks, 2900);
+}
+
+/// A report of the flight, again and again, from a vehicle that sees nothing.
+tern_host::FarTotals totals_after(const tern::FlightReport& report) {
+  const FlightWorld world = read_flight_world("Y:1", {});
+  const tern::MapSpec spec = tern::map_spec({world.start.x - 8.0, world.start.y - 8.0, 0.0}, 0.5, {32, 32, 32}, 0.5);
+  std::vector<std::uint64_t> words(tern::map_words(spec));
+  tern::RollingMap map;
+  EXPECT_EQ(map.bind(spec, words.data(), words.size()), tern::Status::kOk);
+  tern_host::FarGuide guide(world);
+  for (std::int64_t k = 0; k < 500; ++k) guide.tick(world.start, report, map, k * 1000000);
+  return guide.totals();
+}
+
+TEST(FarWayFlights, ArrivingIsNotGivingUp) {
+  tern::FlightReport report{};
+  report.mode = tern::FlightMode::kRest;
+  report.reason = tern::FlightReason::kArrived;
+  const tern_host::FarTotals arrived = totals_after(report);
+  EXPECT_EQ(arrived.searches, 1);
+  EXPECT_EQ(arrived.marked, 0);
+  report.reason = tern::FlightReason::kNearest;
+  EXPECT_GT(totals_after(report).marked, 0);
+}
+
+TEST(FarWayFlights, RefusesCellsThatAreTooLargeForTheWindow) {
+  EXPECT_THROW(read_flight_world("Y:1", {"far_cell=19.3"}), tern_host::RecordError);
+  EXPECT_EQ(read_flight_world("Y:1", {"far_cell=19.1"}).settings.far_cell, 19.1);  // 0.45 x 128 m / 3 = 19.2 m
 }
 
 TEST(FarWayFlights, IsForFlightsToOneGoal) {

@@ -18,10 +18,14 @@
 
 namespace tern {
 
+/// How far ahead a far way must look at least, in cells of the coarse grid. With less, a vehicle could arrive at a near
+/// goal before there is a new one.
+constexpr double kLeastAhead = 3.0;
+
 /// How a far way leads.
 struct FarWaySpec {
-  /// How far ahead a near goal is at most, metres along the way, > 0. Choose a little less than half the shorter level
-  /// side of the rolling map's window.
+  /// How far ahead a near goal is at most, metres along the way: kLeastAhead coarse cells or more. Choose a little less
+  /// than half the shorter level side of the rolling map's window.
   double ahead;
   /// Nanoseconds without getting a coarse cell further along the way until the way counts as doubtful, > 0.
   int64_t patience = 10000000000;
@@ -44,15 +48,18 @@ enum class FarState : uint8_t {
 /// addresses, and nobody else may plan with this planner. It must not be the one of the Flight.
 class FarWay {
  public:
-  /// kOk; kNonFiniteInput; kInvalidArgument: a spec out of range, or a coarse grid that is not inflated. A refused call
-  /// changes nothing.
+  /// kOk; kNonFiniteInput; kInvalidArgument: a spec out of range, `ahead` of less than kLeastAhead cells, or a coarse
+  /// grid that is not inflated. A refused call changes nothing.
   Status start(const FarWaySpec& spec, Grid& coarse, Planner& planner) noexcept;
   /// Sets the goal, world frame, and looks for a way to it. Call it again after you marked or cleared voxels of the
   /// coarse grid. kNonFiniteInput; kInvalidArgument before start(). A refused call changes nothing.
   Status set_goal(const Vec3& goal) noexcept;
-  /// Does one tick's work, at most `work` units and one piece of work more. Call it before each Flight::tick(), with
-  /// the vehicle's position, world frame; with whether the flight rests and has given up the near goal; with the
-  /// flight's map; and with the time of the tick. True: call Flight::set_goal(near_goal()) now.
+  /// Does one tick's work, at most `work` units and one piece of work more; nothing before an earlier piece is paid.
+  /// Pieces: those of the search, a look along the way for a near goal, a look around for a free cell to begin in, a
+  /// cell of the window, the walk to the cell ahead that is marked, and those of the inflation. Call it before each
+  /// Flight::tick(), with the vehicle's position, world frame; with whether the flight rests and has given up the near
+  /// goal; with the flight's map; and with the time of the tick. Arriving is not giving up: a flight that rests with
+  /// FlightReason::kArrived has not. Else a free cell may be marked. True: call Flight::set_goal(near_goal()) now.
   bool tick(const Vec3& position, bool gave_up, const RollingMap& map, int64_t t, uint32_t work) noexcept;
 
   /// Where the flight should fly now, world frame. The goal itself before the first way was found.
@@ -106,7 +113,8 @@ class FarWay {
   int32_t searches_ = 0;
   int32_t marked_ = 0;
 
-  // The search: from the vehicle or, if its cell is not free, from the free cell nearest to it.
+  // The search: from the vehicle or, if its cell is not free, from the nearest free cell that the rolling map shows the
+  // way to. If there is none, from the free cell nearest to it.
   Vec3 from_{};
   bool is_moved_ = false;
 

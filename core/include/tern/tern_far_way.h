@@ -35,13 +35,14 @@ typedef struct {
   uint64_t opaque[TERN_FAR_WAY_WORDS];
 } tern_far_way;
 
-/* Begins without a goal. Grid and planner must stay at their addresses. ok, non_finite_input or invalid_argument. */
+/* Begins without a goal. Grid and planner must stay at their addresses. ok, non_finite_input or invalid_argument: also
+ * where `ahead` is less than three cells of the grid. */
 uint8_t tern_far_way_start(tern_far_way* far_way, const tern_far_way_spec* spec, tern_grid* coarse,
                            tern_planner* planner);
 /* Sets the goal, world frame. ok, non_finite_input or invalid_argument. */
 uint8_t tern_far_way_set_goal(tern_far_way* far_way, const tern_vec3* goal);
-/* Does one tick's work. True: set the flight's goal to `near_goal` now, which receives it, as whenever this answers
- * true. False for null pointers, and before start. */
+/* Does one tick's work. A flight that rests with reason arrived has not given up. True: set the flight's goal to
+ * `near_goal` now, which receives it, as whenever this answers true. False for null pointers, and before start. */
 bool tern_far_way_tick(tern_far_way* far_way, const tern_vec3* position, bool gave_up, const tern_map* map, int64_t t,
                        uint32_t work, tern_vec3* near_goal);
 /* True if the near goal is the goal; and before start. */

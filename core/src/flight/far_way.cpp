@@ -17,11 +17,13 @@ namespace {
 /// Limits that are valid: a way has no speed.
 constexpr Limits kAnyLimits{{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}};
 /// In coarse cells: steps of a look along the way, and how far the vehicle gets on from one look to the next; how far a
-/// near goal is ahead at least; and how much further a new one is than the last. So a look that finds none is always
-/// followed by another one before the vehicle is at the near goal.
+/// near goal is ahead at least, within a step; and how much further a new one is than the last. So a look that finds
+/// none is always followed by another one before the vehicle is at the near goal: kLeastAhead leaves room for all
+/// three.
 constexpr double kLookStep = 0.5;
 constexpr double kLeast = 2.0;
 constexpr double kFurther = 1.0;
+static_assert(kLeastAhead >= kLeast + kFurther, "else a vehicle arrives at a near goal before there is a new one");
 
 bool lacks_start(const Report& found) {
   const bool is_closed = found.status == Status::kStartOccupied || found.status == Status::kStartTooNarrow;
@@ -32,7 +34,8 @@ bool lacks_start(const Report& found) {
 
 Status FarWay::start(const FarWaySpec& spec, Grid& coarse, Planner& planner) noexcept {
   if (!finite(spec.ahead)) return Status::kNonFiniteInput;
-  if (!(spec.ahead > 0.0) || spec.patience <= 0 || !coarse.inflated()) return Status::kInvalidArgument;
+  if (spec.patience <= 0 || !coarse.inflated()) return Status::kInvalidArgument;
+  if (!(spec.ahead >= kLeastAhead * coarse.spec().cell)) return Status::kInvalidArgument;
   *this = FarWay{};
   spec_ = spec;
   coarse_ = &coarse;
@@ -58,11 +61,11 @@ bool FarWay::tick(const Vec3& position, bool gave_up, const RollingMap& map, std
   position_ = position;
   if (work_.left()) work_ = Work{};
   work_.add(work);
-  if (job_ == Job::kFollow && follow(gave_up, map, t)) return true;
+  if (job_ == Job::kFollow && work_.left() && follow(gave_up, map, t)) return true;
   if (job_ == Job::kLearn) learn(map);
-  if (job_ == Job::kLearn && cell_.z >= end_.z && end_learning()) return true;
+  if (job_ == Job::kLearn && cell_.z >= end_.z && work_.left() && end_learning()) return true;
   if (job_ == Job::kInflate) inflate();
-  if (job_ == Job::kBegin) {
+  if (job_ == Job::kBegin && work_.left()) {
     ++searches_;
     choose_start(map);
     begin_search();
@@ -124,7 +127,7 @@ bool FarWay::end_search() noexcept {
   place_ = path().raw[0];
   done_ = noted_ = looked_ = near_at_ = 0.0;
   is_last_ = false;
-  return choose_near_goal();
+  return work_.left() && choose_near_goal();
 }
 
 bool FarWay::lead_to_goal(FarState state) noexcept {
@@ -144,7 +147,8 @@ void FarWay::get_on(std::int64_t t) noexcept {
   double before = done_;
   double least = distance(place_, local);
   const double most = done_ + spec_.ahead;
-  std::int32_t leg = leg_;
+  const std::int32_t first = leg_;
+  std::int32_t leg = first;
   for (; leg + 1 < way.raw_count && before <= most; ++leg) {
     const Vec3 along = way.raw[leg + 1] - from;
     const double square = dot(along, along);
@@ -159,7 +163,7 @@ void FarWay::get_on(std::int64_t t) noexcept {
     before += square_root(square);
     from = way.raw[leg + 1];
   }
-  work_.spend(ops::kPiece + 6 * ops::kDot * leg);
+  work_.spend(ops::kPiece + 6 * ops::kDot * (leg - first));
   if (done_ - noted_ < coarse_->spec().cell) return;
   noted_ = done_;
   since_ = t;

@@ -65,6 +65,7 @@ void FarWay::learn(const RollingMap& map) noexcept {
     if (!coarse_->obstacle(cell_) && shows_more(*coarse_, map.route(), cell_, work_)) {
       coarse_->mark_voxel(cell_);
       ++found_;
+      ++marked_;
     }
     if (++cell_.x < end_.x) continue;
     cell_.x = begin_.x;
@@ -77,7 +78,6 @@ void FarWay::learn(const RollingMap& map) noexcept {
 /// True if nothing can be learned, and only the goal is left to fly to.
 bool FarWay::end_learning() noexcept {
   if (found_ == 0 && gave_up_) mark_ahead();
-  marked_ += found_;
   piece_ = 0;
   job_ = found_ > 0 ? Job::kInflate : Job::kFollow;
   return found_ == 0 && gave_up_ && lead_to_goal(FarState::kNoWay);
@@ -93,12 +93,15 @@ void FarWay::mark_ahead() noexcept {
   for (std::int32_t leg = leg_; leg + 1 < way.raw_count; ++leg) {
     const Vec3 along = way.raw[leg + 1] - from;
     const std::int32_t steps = ceil_index(length(along) / step, 1, 4 * kMaxDimension);
+    work_.spend(ops::kPiece);
     for (std::int32_t k = 1; k <= steps; ++k) {
+      work_.spend(ops::kDot + ops::kTurn);
       const Voxel cell = coarse_->voxel_of(from + (static_cast<double>(k) / steps) * along);
       const bool is_here = cell.x == here.x && cell.y == here.y && cell.z == here.z;
       if (is_here || !coarse_->free(cell)) continue;
       coarse_->mark_voxel(cell);
-      found_ = 1;
+      ++found_;
+      ++marked_;
       return;
     }
     from = way.raw[leg + 1];

@@ -14,6 +14,10 @@ namespace {
 constexpr double kAhead = 0.45;  ///< of the window's shorter level side
 constexpr int kWorkPart = 4;     ///< of what a tick of the flight may spend
 
+double ahead_of(const FlightWorld& world) {
+  return kAhead * std::min(world.settings.window.x, world.settings.window.y);
+}
+
 std::int32_t cells(double length, double cell) {
   return static_cast<std::int32_t>(std::min(std::ceil(length / cell - 1e-9), 1e6));
 }
@@ -47,6 +51,11 @@ void refuse_far_way(const FlightWorld& world, const Place& place) {
   if (s.far_cell > 0.0 && has_more) {
     throw RecordError(place, "far_cell is for worlds without vias, and without land and goal_jitter");
   }
+  const double most = ahead_of(world) / tern::kLeastAhead;
+  if (s.far_cell > most) {
+    throw RecordError(place, "far_cell is " + brief(s.far_cell) + " m, and at most " + brief(most) +
+                                 " m with this window; set a smaller far_cell or a wider window");
+  }
 }
 
 FarGuide::FarGuide(const FlightWorld& world)
@@ -60,14 +69,14 @@ FarGuide::FarGuide(const FlightWorld& world)
                              brief(world.settings.far_cell) + " m has too many cells; set a larger far_cell");
   }
   mark_known(world, coarse_);
-  far_.start({kAhead * std::min(world.settings.window.x, world.settings.window.y)}, coarse_, planner_);
+  far_.start({ahead_of(world)}, coarse_, planner_);
   far_.set_goal(world.goal);
 }
 
 bool FarGuide::tick(const tern::Vec3& position, const tern::FlightReport& report, const tern::RollingMap& map,
                     std::int64_t t) {
-  const bool rests = report.mode == tern::FlightMode::kRest && report.reason > tern::FlightReason::kNoGoal;
-  return far_.tick(position, rests, map, t, work_);
+  const bool gave_up = report.mode == tern::FlightMode::kRest && report.reason > tern::FlightReason::kArrived;
+  return far_.tick(position, gave_up, map, t, work_);
 }
 
 }  // namespace tern_host

@@ -22,7 +22,8 @@ struct FarTotals {
   int marked = 0;    ///< cells of the coarse grid
 };
 
-/// Throws RecordError where the world asks for a far way, and for more than one goal in the air.
+/// Throws RecordError where the world asks for a far way, and for more than one goal in the air, or for coarse cells
+/// that are too large for its window.
 void refuse_far_way(const FlightWorld& world, const Place& place);
 
 class FarGuide {
