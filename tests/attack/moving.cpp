@@ -138,18 +138,21 @@ Track make_thing(Rng& rng, const World& world, const Ask& ask) {
   return track;
 }
 
-/// For kLeaveTime, a plan that leaves a thing comes no nearer to its curve, whatever the error: at a thousand instants.
-void check_leaving(const tern::Trajectory& plan, Track thing, double until, const char* what, Findings& findings) {
+/// For kLeaveTime, a plan that leaves a thing comes no nearer to its curve, whatever the error, unless it is clear of
+/// all that the thing may do: at a thousand instants. A thing whose reach is shorter than its curve may be anywhere
+/// else.
+void check_leaving(const Pair& tube, double until, const char* what, Findings& findings) {
   constexpr Real kLeaveTime = 1.0L;  // docs/tracks.md
   constexpr Real kLeaveSlack = 1e-6L;
   constexpr int kInstants = 1000;
+  Track thing = tube.track;
   thing.error = thing.error_speed = thing.error_growth = thing.reach = 0.0;
-  const Pair pair{plan, thing, 0};
+  const Pair pair{tube.plan, thing, 0};
   const Real end = std::min<Real>(kLeaveTime, pair.present(until).end);
   const Real begun = pair.gap(0);
   for (int n = 1; n <= kInstants; ++n) {
     const Real t = end * n / kInstants;
-    if (pair.gap(t) >= begun - kLeaveSlack) continue;
+    if (pair.gap(t) >= begun - kLeaveSlack || tube.gap(t) >= 0) continue;
     return report(findings, "track", "%s: %.3Lg m nearer after %.3Lf s", what, begun - pair.gap(t), t);
   }
 }
@@ -163,7 +166,7 @@ void check_tracks(const World& world, const tern::Request& request, const tern::
     const Track& thing = request.tracks[k];
     const Pair pair{plan, thing, world.radius()};
     if (may_leave && pair.present(until).begin <= 0 && pair.gap(0) < -kSlack) {
-      check_leaving(plan, thing, until, what, findings);
+      check_leaving(pair, until, what, findings);
       continue;
     }
     Real when = 0;

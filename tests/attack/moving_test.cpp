@@ -107,6 +107,24 @@ TEST_F(Moving, LeavesWhatItBeginsTooNearTo) {
   EXPECT_EQ(found(2.0, true), "track");
 }
 
+/// Its curve leads in front of the plan, 0.1 m from where that is after a second, but it moves by 1 cm/s at most: from
+/// 0.3 s on, the plan is out of its reach.
+TEST_F(Moving, OutOfReachItMayComeNearerToTheCurve) {
+  static constexpr double kAway[8] = {0.0, 0.3, 0.6, 0.3, 0.0, -0.3, -0.6, -0.7};
+  static constexpr double kAlong[8] = {0.0, 0.0, 0.0, 0.5, 1.0, 1.5, 1.8, 2.0};
+  tern::TrackPiece piece{};
+  piece.duration = 1.0;
+  for (int k = 0; k < 8; ++k) piece.points[k] = {kAlong[k], kAway[k], 0.0};
+  thing_.position = {0.0, 0.8, 0.0};
+  thing_.pieces = &piece;
+  thing_.piece_count = 1;
+  thing_.end = tern::TrackEnd::kStays;
+  thing_.until = kSecond;
+  EXPECT_EQ(found(2.0, true), "track");
+  thing_.reach = 0.01;
+  EXPECT_EQ(found(2.0, true), "");
+}
+
 /// A vehicle that follows, for two hours and a millimetre beside what is too near, takes few halvings.
 TEST_F(Moving, FollowsForLong) {
   constexpr double kHours = 7200.0;
