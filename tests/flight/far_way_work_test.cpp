@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/math.hpp"
 #include "support/far_world.hpp"
 #include "support/random.hpp"
 #include "tern/far_way.hpp"
