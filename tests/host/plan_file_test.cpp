@@ -283,11 +283,17 @@ TEST(PlanFile, SaysUntilWhenTheStartIsClosed) {
   const std::string closed = detail("epoch 2026-03-02T09:00:00Z\n");
   EXPECT_NE(closed.find("(Market), 0 s after the beginning; it is closed until 61.000 s of the clock "
                         "(2026-03-02T09:01:01Z); the start is in it: it is free at 90.500 s of the clock "
-                        "(2026-03-02T09:01:31Z). Begin then (start_time 90.5), or elsewhere"),
+                        "(2026-03-02T09:01:30.500Z). Begin then (start_time 90.5), or elsewhere"),
             std::string::npos)
       << closed;
-  EXPECT_NE(detail("start_time 90.4\n").find("start_time 90.5"), std::string::npos);
+  EXPECT_NE(detail("epoch 2026-03-02T09:00:00.3Z\n").find("90.500 s of the clock (2026-03-02T09:01:30.800Z)"),
+            std::string::npos);
+  EXPECT_NE(detail("start_time 90.4\n").find("start_time 90.5)"), std::string::npos);
   EXPECT_EQ(detail("start_time 90.5\n"), "") << "a plan, after all";
+  const std::string late = "keepout_halfspaces -1 0 0 -2 1 0 0 8 0 -1 0 -2 0 1 0 8 during 80 1234567890.0121\n";
+  EXPECT_NE(detail(late).find("it is free at 1234567890.013 s of the clock. Begin then (start_time 1234567890.013)"),
+            std::string::npos)
+      << detail(late);
 }
 
 TEST(PlanFile, InvalidUtf8InANameStaysJson) {

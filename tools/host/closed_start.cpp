@@ -41,10 +41,16 @@ double start_is_free_at(const Scenario& scenario) {
   return free;
 }
 
+/// Rounded upwards, but for rounding errors.
+double whole_milliseconds(double time) {
+  return std::ceil(1e3 * time - 1e-6);
+}
+
 std::string time_text(const Scenario& scenario, double time) {
-  const std::string text = fixed(time, 3) + " s of the clock";
+  const double ms = whole_milliseconds(time);
+  const std::string text = fixed(ms / 1e3, 3) + " s of the clock";
   if (scenario.earth.epoch.empty() || !(std::fabs(time) < 1e9)) return text;
-  const Instant at = *parse_instant(scenario.earth.epoch) + static_cast<Instant>(std::ceil(time - 1e-6)) * kSecond;
+  const Instant at = *parse_instant(scenario.earth.epoch) + static_cast<Instant>(ms) * (kSecond / 1000);
   return text + " (" + instant_text(at) + ")";
 }
 
@@ -60,8 +66,7 @@ std::string describe_closed_start(const PlanResult& result) {
   const double free = start_is_free_at(scenario);
   if (!(free > scenario.start_time)) return text;
   text += "; the start is in it: it is free at " + time_text(scenario, free);
-  // Rounded upwards.
-  return text + ". Begin then (start_time " + brief(1e-3 * std::ceil(1e3 * free - 1e-6)) + "), or elsewhere";
+  return text + ". Begin then (start_time " + shortest(whole_milliseconds(free) / 1e3) + "), or elsewhere";
 }
 
 }  // namespace tern_host
