@@ -138,6 +138,13 @@ TEST(TrackRecord, PlanFilesSayWhatIsInTheWay) {
   EXPECT_NE(covered.find("\"status\": \"goal_covered\""), std::string::npos);
   EXPECT_NE(covered.find("\"goal_free\": 200.0"), std::string::npos);
   EXPECT_NE(covered.find("the goal is free after 200.0"), std::string::npos);
+  const std::string lake = tern_host::plan_json(session.plan(
+      parse("keepout 0 0 0 4 8 3 during 5 12.5 zone Port\nkeepout 0 0 0 4 8 3 during -100 9 zone Lake\n")));
+  EXPECT_NE(
+      lake.find("track: keepout 2 (Lake), 0 s after the beginning; it is closed until 9.000 s of the clock; the "
+                "start is in it: it is free at 12.500 s of the clock. Begin then (start_time 12.5), or elsewhere"),
+      std::string::npos)
+      << lake;
   const std::string closed = tern_host::plan_json(session.plan(parse("keepin 0 0 0 5 8 3 during -1 500\n")));
   EXPECT_NE(closed.find("\"fence\": 0"), std::string::npos);
 }

@@ -4,36 +4,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "host/number.hpp"
 
 namespace tern_host {
 namespace {
 
-bool is_closed_for_a_while(const tern::Fence& fence) {
-  return fence.kind == tern::FenceKind::kKeepOut && tern::is_timed(fence);
+using tern::Vec3;
+
+/// A keep-out for a while: s of the scenario's clock, and how far the start is outside it, metres.
+struct Closed {
+  double from;
+  double until;
+  double gap;
+};
+
+std::optional<Closed> closed(const FenceRecord& record, const Vec3& start) {
+  const tern::Fence& fence = record.fence;
+  if (fence.kind != tern::FenceKind::kKeepOut || !tern::is_timed(fence)) return std::nullopt;
+  return Closed{static_cast<double>(fence.from) / 1e9 - fence.clock_error,
+                static_cast<double>(fence.until) / 1e9 + fence.clock_error, fence_gap(record, start)};
 }
 
-/// s of the scenario's clock.
-double begin_of(const tern::Fence& fence) {
-  return 1e-9 * static_cast<double>(fence.from) - fence.clock_error;
+/// Of a keep-out box, which is a thing that stands there.
+std::optional<Closed> closed(const TrackRecord& record, const Vec3& start) {
+  if (!record.is_fence) return std::nullopt;
+  const tern::Track& box = record.track;
+  const auto beyond = [](double at, double middle, double half) {
+    return std::max(0.0, std::fabs(at - middle) - half);
+  };
+  const double gap =
+      std::hypot(beyond(start.x, box.position.x, box.half.x), beyond(start.y, box.position.y, box.half.y),
+                 beyond(start.z, box.position.z, box.half.z));
+  return Closed{static_cast<double>(box.measured) / 1e9, static_cast<double>(box.until) / 1e9, gap};
 }
 
-double end_of(const tern::Fence& fence) {
-  return 1e-9 * static_cast<double>(fence.until) + fence.clock_error;
+/// What the answer is about, if that is closed for a while.
+std::optional<Closed> closed_of(const PlanResult& result) {
+  const Scenario& scenario = result.scenario;
+  const auto fence = static_cast<std::size_t>(result.report.fence),
+             track = static_cast<std::size_t>(result.report.track);
+  if (result.report.fence >= 0 && fence < scenario.fences.size()) {
+    return closed(scenario.fences[fence], scenario.start.position);
+  }
+  if (result.report.track < 0 || track >= scenario.tracks.size()) return std::nullopt;
+  return closed(scenario.tracks[track], scenario.start.position);
 }
 
-/// The end of all fences for a while that the start is in, one after the other.
+/// The end of all that is closed for a while and that the start is in, one after the other.
 double start_is_free_at(const Scenario& scenario) {
+  std::vector<Closed> around;
+  const auto add = [&](const std::optional<Closed>& found) {
+    if (found && found->gap < scenario.clearance()) around.push_back(*found);
+  };
+  for (const FenceRecord& record : scenario.fences) add(closed(record, scenario.start.position));
+  for (const TrackRecord& record : scenario.tracks) add(closed(record, scenario.start.position));
   double free = scenario.start_time;
-  // Each round passes the end of a fence.
-  for (std::size_t round = 0; round < scenario.fences.size(); ++round) {
+  // Each round passes an end.
+  for (std::size_t round = 0; round < around.size(); ++round) {
     double next = free;
-    for (const FenceRecord& record : scenario.fences) {
-      const bool holds =
-          is_closed_for_a_while(record.fence) && begin_of(record.fence) <= free && free < end_of(record.fence);
-      if (!holds || fence_gap(record, scenario.start.position) >= scenario.clearance()) continue;
-      next = std::max(next, end_of(record.fence));
+    for (const Closed& one : around) {
+      if (one.from <= free && free < one.until) next = std::max(next, one.until);
     }
     if (!(next > free)) break;
     free = next;
@@ -57,12 +90,10 @@ std::string time_text(const Scenario& scenario, double time) {
 }  // namespace
 
 std::string describe_closed_start(const PlanResult& result) {
-  const tern::Report& report = result.report;
   const Scenario& scenario = result.scenario;
-  if (report.fence < 0 || static_cast<std::size_t>(report.fence) >= scenario.fences.size()) return "";
-  const FenceRecord& record = scenario.fences[static_cast<std::size_t>(report.fence)];
-  if (!is_closed_for_a_while(record.fence)) return "";
-  std::string text = "; it is closed until " + time_text(scenario, end_of(record.fence));
+  const std::optional<Closed> met = closed_of(result);
+  if (!met) return "";
+  std::string text = "; it is closed until " + time_text(scenario, met->until);
   const double free = start_is_free_at(scenario);
   if (!(free > scenario.start_time)) return text;
   text += "; the start is in it: it is free at " + time_text(scenario, free);

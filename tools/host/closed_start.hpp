@@ -9,8 +9,8 @@
 
 namespace tern_host {
 
-/// Where there is no plan because of a fence for a while: until when it is closed and, if the start is in it, when a
-/// plan may begin. Begins with a semicolon; empty for other answers.
+/// Where there is no plan because of a fence or a keep-out box for a while: until when it is closed and, if the start
+/// is in it, when a plan may begin. Begins with a semicolon; empty for other answers.
 std::string describe_closed_start(const PlanResult& result);
 
 }  // namespace tern_host

@@ -171,11 +171,10 @@ void add_track_piece(const Words& words, const Place& place, std::vector<TrackRe
   record->pieces.push_back(piece);
 }
 
-TrackRecord read_timed_keepout(const Words& words, const FenceEnd& times, std::size_t number_of_it,
-                               const Place& place) {
+TrackRecord read_timed_keepout(const Words& words, const FenceEnd& end, std::size_t number_of_it, const Place& place) {
   const tern::Box box = box_of(numbers(words, place), "keepout", place);
   TrackRecord record;
-  record.id = "keepout " + std::to_string(number_of_it);
+  record.id = "keepout " + std::to_string(number_of_it) + (end.zone.empty() ? "" : " (" + end.zone + ")");
   record.is_fence = record.has_place = record.has_from = true;
   record.place = place;
   Track& track = record.track;
@@ -188,9 +187,9 @@ TrackRecord read_timed_keepout(const Words& words, const FenceEnd& times, std::s
   };
   track.half = {half(box.lower.x, track.position.x, box.upper.x), half(box.lower.y, track.position.y, box.upper.y),
                 half(box.lower.z, track.position.z, box.upper.z)};
-  const auto off = static_cast<std::int64_t>(std::ceil(times.clock_error * 1e9));
-  track.measured = times.from - off;
-  track.until = times.until + off;
+  const auto off = static_cast<std::int64_t>(std::ceil(end.clock_error * 1e9));
+  track.measured = end.from - off;
+  track.until = end.until + off;
   track.end = TrackEnd::kGone;
   return record;
 }

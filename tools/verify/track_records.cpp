@@ -120,11 +120,11 @@ void add_piece(const Record& record, std::vector<Thing>& things) {
 
 Thing keep_out_from(const Record& record) {
   Record box = record;
-  take_zone(box);
+  const std::string zone = take_zone(box);
   const Window window = *take_window(box);
   const Box lies = box_from(record, box.numbers(1, 6));
   Thing thing;
-  thing.name = "keepout in line " + std::to_string(record.line);
+  thing.name = "keepout in line " + std::to_string(record.line) + (zone.empty() ? "" : " " + zone);
   thing.shape = ThingShape::kBox;
   thing.position = Rational(1) / 2 * (lies.lower + lies.upper);
   thing.half = Rational(1) / 2 * (lies.upper - lies.lower);
