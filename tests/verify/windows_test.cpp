@@ -41,6 +41,9 @@ TEST(Windows, RecordsSayWhenTheyHold) {
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 zone Lake during 4 5")), InputError);
   EXPECT_FALSE(is_track_record(record("keepout 0 0 0 1 2 3 zone Closed during events")));
   EXPECT_TRUE(is_track_record(record("keepout 0 0 0 1 2 3 during 4 5 zone Lake")));
+  std::vector<Thing> things;
+  add_track_record(record("keepout 0 0 0 1 2 3 during 4 5 zone Old \x1B town"), things);
+  EXPECT_EQ(things.at(0).name, "keepout in line 1 Old ? town");
   EXPECT_THROW(is_track_record(record("keepout 0 0 0 1 2 3 zone Lake during 4 5")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4 4")), InputError);

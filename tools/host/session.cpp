@@ -133,16 +133,14 @@ PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previ
 
 PlanResult Session::plan_among(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
                                double previous_time) {
-  if (!exceeds_capacity(scenario.fences)) {
-    PlanResult result = plan_once(scenario, limits, previous, previous_time);
-    if (meets_closed(result)) {
-      PlanResult around = plan_chosen(scenario, limits, previous, previous_time);
-      // Where that does not help, the planner is left as after the plan that is answered.
-      return around.ok() ? std::move(around) : plan_once(scenario, limits, previous, previous_time);
-    }
-    if (result.report.status != tern::Status::kFencePlanesFull) return result;
-  }
-  return plan_chosen(scenario, limits, previous, previous_time);
+  if (exceeds_capacity(scenario.fences)) return plan_chosen(scenario, limits, previous, previous_time);
+  PlanResult once = plan_once(scenario, limits, previous, previous_time);
+  const bool closed = meets_closed(once);
+  if (!closed && once.report.status != tern::Status::kFencePlanesFull) return once;
+  PlanResult result = plan_chosen(scenario, limits, previous, previous_time);
+  result.among_all = once.report.status;
+  // Where that does not help, the planner is left as after the plan that is answered.
+  return result.ok() || !closed ? std::move(result) : plan_once(scenario, limits, previous, previous_time);
 }
 
 PlanResult Session::plan_chosen(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
@@ -159,7 +157,6 @@ PlanResult Session::plan_chosen(const Scenario& scenario, const tern::Limits& li
   result.scenario.fences = scenario.fences;
   result.report.fence = choice.index_of(result.report.fence);
   result.report.check.fence = choice.index_of(result.report.check.fence);
-  result.among_chosen = true;
   return result;
 }
 
@@ -191,9 +188,11 @@ PlanResult Session::plan_once(const Scenario& scenario, const tern::Limits& limi
 }
 
 std::string Session::record(const PlanResult& result) const {
-  if (result.among_chosen && !exceeds_capacity(result.scenario.fences)) {
-    throw std::runtime_error(
-        "this query cannot be recorded: its plan goes around a fence for a while as if it always held");
+  if (result.among_all != tern::Status::kOk) {
+    const bool closed = result.among_all == tern::Status::kNoClearTime;
+    throw std::runtime_error(std::string("this query cannot be recorded: ") +
+                             (closed ? "its plan goes around a fence for a while as if it always held"
+                                     : tern::status_meaning(result.among_all)));
   }
   const std::vector<tern::Fence> fences = fences_of(result.scenario.fences);
   const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);

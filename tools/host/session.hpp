@@ -48,8 +48,8 @@ struct PlanResult {
   tern::Status yaw_status = tern::Status::kOk;
   tern::Limits limits{};  ///< that the planner had: slower than the scenario's where a chain of keep-ins asks for that
 
-  /// True if it comes from several requests, among fences that were chosen or closed at all times (FenceChoice).
-  bool among_chosen = false;
+  /// What a request with all fences answered, where the plan comes from others (FenceChoice) though their number fits.
+  tern::Status among_all = tern::Status::kOk;
 
   bool ok() const { return report.status == tern::Status::kOk; }
 };
