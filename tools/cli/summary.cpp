@@ -81,6 +81,28 @@ std::string clearance_line(double clearance, const PlanResult& result) {
   return "  clearance   " + text + "\n";
 }
 
+/// A thing that is gone before the plan begins, or is measured after it has ended: its times may be in another unit.
+bool is_there(const tern::Track& track, const PlanResult& result) {
+  const std::int64_t begin = result.trajectory.begin;
+  const bool is_gone = track.end == tern::TrackEnd::kGone && track.until < begin;
+  const double after = 1e-9 * (static_cast<double>(track.measured) - static_cast<double>(begin));
+  return !is_gone && after < tern::duration(result.trajectory) + result.scenario.rest_clear;
+}
+
+/// What was not kept clear of: the things that the plan has nothing to do with, and the one that it begins too near to.
+std::string exceptions_of(const PlanResult& result) {
+  std::string absent;
+  for (const tern_host::TrackRecord& thing : result.scenario.tracks) {
+    if (!is_there(thing.track, result)) absent += (absent.empty() ? "" : ", ") + thing.id;
+  }
+  std::string text;
+  if (result.report.track >= 0) {
+    text += ", but for " + result.scenario.tracks[static_cast<std::size_t>(result.report.track)].id +
+            ": the start is too near to it, and the plan leaves it";
+  }
+  return absent.empty() ? text : text + "; not there during the plan: " + absent;
+}
+
 /// What the plan keeps clear of that moves.
 std::string tracks_line(const PlanResult& result) {
   const tern_host::Scenario& scenario = result.scenario;
@@ -91,6 +113,7 @@ std::string tracks_line(const PlanResult& result) {
                                 : std::to_string(count) + (count == 1 ? " thing that moves: " : " things that move: ") +
                                       fixed(scenario.clearance(), 3) +
                                       (count == 1 ? " m and its error kept" : " m and their errors kept");
+  text += exceptions_of(result);
   if (report.waits > 0.0) text += ", waits " + fixed(report.waits, 2) + " s";
   const double slow = result.limits.v_max.x / scenario.limits.v_max.x;
   if (slow < 1.0) text += ", at " + fixed(100.0 * slow, 0) + " % of the speed for the sake of the keep-ins";
