@@ -100,7 +100,7 @@ TEST(FlightGivesUp, VehicleBeforeAnOccupiedGoalStaresAtIt) {
     EXPECT_EQ(state.facts.itinerary.is_right_before(state.facts), is_near);
     for (int k = 0; k < kIdleCycles; ++k) state.give_up();
     EXPECT_TRUE(state.search.is_looking);
-    EXPECT_EQ(state.search.sector_at(state.facts, state.nose, state.facts.time), is_near ? kDirections : 0);
+    EXPECT_EQ(state.search.sector_at(state.facts, state.nose, state.facts.time), is_near ? kLookDirections : 0);
     state.facts.time += 3200000000;
     state.give_up();
     EXPECT_EQ(state.facts.itinerary.parked, is_near);

@@ -258,9 +258,9 @@ TEST(FlightNose, PlannedOnesHoldEachDirectionForLonger) {
   };
   EXPECT_EQ(sector_after(0.928), 0);
   EXPECT_EQ(sector_after(0.929), 1);
-  EXPECT_EQ(sector_after(4 * 0.9284), kDirections);
-  EXPECT_EQ(sector_after(4 * 0.928 + 3.0), kDirections);
-  EXPECT_EQ(sector_after(4 * 0.929 + 3.0), kDirections + 1);
+  EXPECT_EQ(sector_after(4 * 0.9284), kLookDirections);
+  EXPECT_EQ(sector_after(4 * 0.928 + 3.0), kLookDirections);
+  EXPECT_EQ(sector_after(4 * 0.929 + 3.0), kLookDirections + 1);
   FlightYaw yaw{};
   yaw.acceleration_max = 5.0;
   yaw.start = {1.0, 0.0};

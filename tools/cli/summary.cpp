@@ -97,8 +97,7 @@ std::string exceptions_of(const PlanResult& result) {
   }
   std::string text;
   if (result.report.track >= 0) {
-    text += ", but for " + result.scenario.tracks[static_cast<std::size_t>(result.report.track)].id +
-            ": the start is too near to it, and the plan leaves it";
+    text += ", but for " + result.track_name() + ": the start is too near to it, and the plan leaves it";
   }
   return absent.empty() ? text : text + "; not there during the plan: " + absent;
 }

@@ -171,10 +171,6 @@ bool meets_track(const PlanResult& result) {
   return meets && (result.report.track >= 0 || result.report.fence >= 0);
 }
 
-const std::string& track_name(const PlanResult& result) {
-  return result.scenario.tracks[static_cast<std::size_t>(result.report.track)].id;
-}
-
 /// What the plan does about things that move.
 void add_tracks(const PlanResult& result, Json& plan) {
   const Scenario& scenario = result.scenario;
@@ -184,11 +180,11 @@ void add_tracks(const PlanResult& result, Json& plan) {
     const double until = report.rest_clear_until;
     plan["rest_clear_until"] = std::isfinite(until) ? Json(scenario.start_time + until) : Json(nullptr);
     plan["waits"] = report.waits;
-    if (report.track >= 0) plan["leaves"] = track_name(result);
+    if (report.track >= 0) plan["leaves"] = result.track_name();
   }
   if (meets_track(result)) {
     Json& conflict = plan["first_conflict"];
-    if (report.track >= 0) conflict["track"] = track_name(result);
+    if (report.track >= 0) conflict["track"] = result.track_name();
     if (report.track < 0) conflict["fence"] = report.fence;
     if (report.track < 0 && !zone_text(scenario.fences, report.fence).empty()) {
       conflict["zone"] = scenario.fences[static_cast<std::size_t>(report.fence)].zone;
@@ -226,7 +222,7 @@ std::string describe_failure(const PlanResult& result) {
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += fence_text(result);
   if (meets_track(result)) {
-    if (report.track >= 0) text += "; track: " + track_name(result);
+    if (report.track >= 0) text += "; track: " + result.track_name();
     text += ", " + brief(report.conflict) + " s after the beginning" + free_text(report);
   }
   text += describe_closed_start(result) + describe_occupied(result) + result.closed_way;

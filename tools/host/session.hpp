@@ -52,6 +52,8 @@ struct PlanResult {
   tern::Status among_all = tern::Status::kOk;
 
   bool ok() const { return report.status == tern::Status::kOk; }
+  /// Of Report::track, which must name one.
+  const std::string& track_name() const { return scenario.tracks[static_cast<std::size_t>(report.track)].id; }
 };
 
 /// A planner with the memory it needs, for one scenario after another.

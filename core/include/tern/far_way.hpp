@@ -95,6 +95,7 @@ class FarWay {
   Point furthest_in_sight() noexcept;
   bool choose_near_goal() noexcept;
   void begin_learning(bool gave_up, const RollingMap& map) noexcept;
+  void mark(const Voxel& cell) noexcept;
   void learn(const RollingMap& map) noexcept;
   bool end_learning() noexcept;
   void mark_ahead() noexcept;

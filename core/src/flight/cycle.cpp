@@ -87,10 +87,8 @@ bool Cycle::begin_sidestep(const FlightFacts& flight, Draft& draft, Work& work) 
   expected.expect(flight.tracks, flight.time);
   gave_way = is_in_the_way(flight, expected, draft.takeover, stays, work);
   if (!gave_way) return false;
-  draft.plan.tubes.take(flight.tracks);
-  draft.proven_on = flight.map.safe().revision();
   sidesteps.begin(stays);
-  job = Job::kSidestep;
+  prove_sidesteps(flight, draft);
   return true;
 }
 
@@ -107,10 +105,15 @@ bool Cycle::begin_step_back(const FlightFacts& flight, const RestSearch& search,
   const int stays = steps_at_end(flight, expected, draft.takeover, work);
   steps_back = sidesteps.begin_back(flight.map.safe(), flight.plans.sample_at(draft.takeover).position, stays);
   if (!steps_back) return false;
+  prove_sidesteps(flight, draft);
+  return true;
+}
+
+/// All with the tubes and the map of now.
+void Cycle::prove_sidesteps(const FlightFacts& flight, Draft& draft) noexcept {
   draft.plan.tubes.take(flight.tracks);
   draft.proven_on = flight.map.safe().revision();
   job = Job::kSidestep;
-  return true;
 }
 
 Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {

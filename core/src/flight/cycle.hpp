@@ -173,6 +173,7 @@ struct Cycle {
   }
 
  private:
+  void prove_sidesteps(const FlightFacts& flight, Draft& draft) noexcept;
   void ask(const FlightFacts& flight) noexcept;
   void note_closing(const FlightFacts& flight, Work& work) noexcept;
   Vec3 way_out(const FlightFacts& flight, Work& work) const noexcept;

@@ -8,8 +8,14 @@
 #include "base/work.hpp"
 #include "grid/bit_rows.hpp"
 #include "tern/grid.hpp"
+#include "tern/map.hpp"
 
 namespace tern {
+
+/// True if there is a near grid to read: not while the map's window slides.
+inline bool has_grid(const RollingMap& map) noexcept {
+  return map.bound() && map.route().bound();
+}
 
 /// True if the near grid has an obstacle whose voxel's centre is in the cell of the coarse grid, and the coarse grid
 /// does not explain it: voxels next to a marked cell, or to the coarse grid's rim, show what is marked there, off by

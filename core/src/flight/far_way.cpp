@@ -87,7 +87,7 @@ void FarWay::choose_start(const RollingMap& map) noexcept {
   from_ = position_;
   is_moved_ = false;
   const bool is_closed = !coarse_->free(coarse_->voxel_of(coarse_->to_local(position_)));
-  if (is_closed && map.bound() && map.route().bound()) find_open_cell(*coarse_, map.route(), position_, from_, work_);
+  if (is_closed && has_grid(map)) find_open_cell(*coarse_, map.route(), position_, from_, work_);
 }
 
 void FarWay::begin_search() noexcept {

@@ -3,6 +3,7 @@
 //
 // When a far way is given up. The rolling map sees finely, and a Flight finds ways that a coarse grid cannot know. So
 // what it sees counts only once the vehicle gets no further: then the coarse grid learns it, and a new way is sought.
+#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "flight/far_cell.hpp"
@@ -17,11 +18,6 @@ namespace {
 constexpr double kAtEnd = 2.0;
 /// Steps of a walk along the way, in coarse cells.
 constexpr double kMarkStep = 0.5;
-
-/// False while the window slides, too.
-bool has_grid(const RollingMap& map) {
-  return map.bound() && map.route().bound();
-}
 
 /// Nanoseconds from one time to a later one, for any two.
 std::uint64_t between(std::int64_t from, std::int64_t to) {
@@ -59,14 +55,16 @@ void FarWay::begin_learning(bool gave_up, const RollingMap& map) noexcept {
   job_ = Job::kLearn;
 }
 
+void FarWay::mark(const Voxel& cell) noexcept {
+  coarse_->mark_voxel(cell);
+  ++found_;
+  ++marked_;
+}
+
 /// Goes through the coarse cells that the window met. A piece is a cell. While the window slides, it waits.
 void FarWay::learn(const RollingMap& map) noexcept {
   while (cell_.z < end_.z && has_grid(map) && work_.left()) {
-    if (!coarse_->obstacle(cell_) && shows_more(*coarse_, map.route(), cell_, work_)) {
-      coarse_->mark_voxel(cell_);
-      ++found_;
-      ++marked_;
-    }
+    if (!coarse_->obstacle(cell_) && shows_more(*coarse_, map.route(), cell_, work_)) mark(cell_);
     if (++cell_.x < end_.x) continue;
     cell_.x = begin_.x;
     if (++cell_.y < end_.y) continue;
@@ -97,12 +95,8 @@ void FarWay::mark_ahead() noexcept {
     for (std::int32_t k = 1; k <= steps; ++k) {
       work_.spend(ops::kDot + ops::kTurn);
       const Voxel cell = coarse_->voxel_of(from + (static_cast<double>(k) / steps) * along);
-      const bool is_here = cell.x == here.x && cell.y == here.y && cell.z == here.z;
-      if (is_here || !coarse_->free(cell)) continue;
-      coarse_->mark_voxel(cell);
-      ++found_;
-      ++marked_;
-      return;
+      if (same(cell, here) || !coarse_->free(cell)) continue;
+      return mark(cell);
     }
     from = way.raw[leg + 1];
   }

@@ -14,10 +14,10 @@ constexpr double kSamePlaceRadii = 4.0;
 /// start never rests for one.
 constexpr int kSurveyPlans = 6;
 
-/// One of the kDirections level unit vectors of a full turn.
+/// One of the kLookDirections level unit vectors of a full turn.
 Vec3 offset_of(int direction) {
-  constexpr double kCosines[kDirections] = {1.0, 0.0, -1.0, 0.0};
-  return {kCosines[direction], kCosines[(direction + 3) % kDirections], 0.0};
+  constexpr double kCosines[kLookDirections] = {1.0, 0.0, -1.0, 0.0};
+  return {kCosines[direction], kCosines[(direction + 3) % kLookDirections], 0.0};
 }
 
 bool is_same_place(const FlightFacts& flight, const Vec3& a, const Vec3& b) {
@@ -46,7 +46,7 @@ FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, bool hemm
                                             const Nose& nose) noexcept {
   note_place(flight);
   if (is_looking) {
-    const int last = surveys ? kDirections - 1 : kDirections;
+    const int last = surveys ? kLookDirections - 1 : kLookDirections;
     if (sector_at(flight, nose, flight.time) <= last) return FlightReason::kNone;
     is_looking = false;
     surveyed = true;
@@ -60,7 +60,7 @@ FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, bool hemm
   is_looking = true;
   surveys = wants_survey(flight) && !is_nearest && !hemmed_in;
   look_since = flight.time;
-  if (is_before_goal) look_since -= nanoseconds(kDirections * nose.seconds_per_direction(flight.spec)) + 1;
+  if (is_before_goal) look_since -= nanoseconds(kLookDirections * nose.seconds_per_direction(flight.spec)) + 1;
   return FlightReason::kNone;
 }
 
@@ -95,15 +95,15 @@ void RestSearch::look_at_voxel(const FlightFacts& flight, const Voxel& voxel) no
 Vec3 RestSearch::looking_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept {
   if (!is_looking) return look_at;
   const int sector = sector_at(flight, nose, t);
-  if (sector >= kDirections) return look_at;
+  if (sector >= kLookDirections) return look_at;
   return flight.plans.sample_at(t).position + flight.spec.horizon * offset_of(sector);
 }
 
 int RestSearch::sector_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept {
   const double each = nose.seconds_per_direction(flight.spec);
   const double since = seconds_between(look_since, t);
-  if (since < kDirections * each) return static_cast<int>(since / each);
-  return since < kDirections * each + seconds_between(0, kStare) ? kDirections : kDirections + 1;
+  if (since < kLookDirections * each) return static_cast<int>(since / each);
+  return since < kLookDirections * each + seconds_between(0, kStare) ? kLookDirections : kLookDirections + 1;
 }
 
 }  // namespace tern

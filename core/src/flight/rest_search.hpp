@@ -19,7 +19,7 @@ namespace tern {
 
 /// Cycles at rest without a commit after which the vehicle looks around, and directions of a full turn.
 constexpr int kIdleCycles = 3;
-constexpr int kDirections = 4;
+constexpr int kLookDirections = 4;
 /// After a look around, the vehicle looks at the place that ended the last proof for so long, nanoseconds: a noisy
 /// sensor needs some frames.
 constexpr std::int64_t kStare = 3000000000;
@@ -59,7 +59,7 @@ struct RestSearch {
   /// The next point is further away than the horizon, the vehicle is where it began its way there, and it did not look
   /// around.
   bool wants_survey(const FlightFacts& flight) const noexcept;
-  /// The direction of a look around at time `t`, from 0; kDirections during the stare, more after it.
+  /// The direction of a look around at time `t`, from 0; kLookDirections during the stare, more after it.
   int sector_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;
 };
 
