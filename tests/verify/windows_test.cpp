@@ -36,14 +36,14 @@ TEST(Windows, RecordsSayWhenTheyHold) {
   EXPECT_FALSE(half.keep_in);
   EXPECT_EQ(half.window->clock_error, 0);
   EXPECT_EQ(fence_from(record("keepin 0 0 0 1 2 3 during 4 5 zone Closed during events")).zone, "Closed during events");
-  EXPECT_EQ(title_of({half, fence_from(record("keepin 0 0 0 1 2 3 zone Old \x1B town"))}, 1), "fence 2 Old ? town");
+  EXPECT_EQ(title_of({half, fence_from(record("keepin 0 0 0 1 2 3 zone Old \x1B town"))}, 1), "fence 2 (Old ? town)");
   EXPECT_EQ(title_of({half}, 0), "fence 1");
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 zone Lake during 4 5")), InputError);
   EXPECT_FALSE(is_track_record(record("keepout 0 0 0 1 2 3 zone Closed during events")));
   EXPECT_TRUE(is_track_record(record("keepout 0 0 0 1 2 3 during 4 5 zone Lake")));
   std::vector<Thing> things;
-  add_track_record(record("keepout 0 0 0 1 2 3 during 4 5 zone Old \x1B town"), things);
-  EXPECT_EQ(things.at(0).name, "keepout in line 1 Old ? town");
+  add_track_record(record("keepout 0 0 0 1 2 3 during 4 5 zone Old \x1B town"), 7, things);
+  EXPECT_EQ(things.at(0).name, "keepout 7 (Old ? town)");
   EXPECT_THROW(is_track_record(record("keepout 0 0 0 1 2 3 zone Lake during 4 5")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4")), InputError);
   EXPECT_THROW(fence_from(record("keepin 0 0 0 1 2 3 during 4 4")), InputError);

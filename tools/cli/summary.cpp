@@ -10,6 +10,7 @@
 #include "host/number.hpp"
 #include "host/peaks.hpp"
 #include "host/plan_file.hpp"
+#include "host/presence.hpp"
 
 namespace tern_cli {
 namespace {
@@ -81,25 +82,16 @@ std::string clearance_line(double clearance, const PlanResult& result) {
   return "  clearance   " + text + "\n";
 }
 
-/// A thing that is gone before the plan begins, or is measured after it has ended: its times may be in another unit.
-bool is_there(const tern::Track& track, const PlanResult& result) {
-  const std::int64_t begin = result.trajectory.begin;
-  const bool is_gone = track.end == tern::TrackEnd::kGone && track.until < begin;
-  const double after = 1e-9 * (static_cast<double>(track.measured) - static_cast<double>(begin));
-  return !is_gone && after < tern::duration(result.trajectory) + result.scenario.rest_clear;
-}
-
 /// What was not kept clear of: the things that the plan has nothing to do with, and the one that it begins too near to.
 std::string exceptions_of(const PlanResult& result) {
-  std::string absent;
-  for (const tern_host::TrackRecord& thing : result.scenario.tracks) {
-    if (!is_there(thing.track, result)) absent += (absent.empty() ? "" : ", ") + thing.id;
-  }
+  const double begin = 1e-9 * static_cast<double>(result.trajectory.begin);
+  const double end = begin + tern::duration(result.trajectory) + result.scenario.rest_clear;
+  const std::string absent = tern_host::absence_text(tern_host::presences_of(result.scenario), begin, end);
   std::string text;
   if (result.report.track >= 0) {
     text += ", but for " + result.track_name() + ": the start is too near to it, and the plan leaves it";
   }
-  return absent.empty() ? text : text + "; not there during the plan: " + absent;
+  return absent.empty() ? text : text + "; " + absent;
 }
 
 /// What the plan keeps clear of that moves.

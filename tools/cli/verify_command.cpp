@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -12,6 +13,8 @@
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
 #include "host/flight/world_family.hpp"
+#include "host/presence.hpp"
+#include "verify/fence_records.hpp"
 #include "verify/flight.hpp"
 #include "verify/proofs.hpp"
 
@@ -43,10 +46,11 @@ Json claims_json(const Claims& claims) {
   return all;
 }
 
-/// What is proven of one file, and what is not but would be taken for it.
+/// What is proven of one file, what is not but would be taken for it, and what is most likely a mistake.
 struct Proof {
   Claims claims;
   std::vector<std::string> assumed;
+  std::string note{};
 };
 
 void print(const std::string& plan, const Proof& proof, bool brief) {
@@ -58,6 +62,7 @@ void print(const std::string& plan, const Proof& proof, bool brief) {
     if (!brief || !holds) std::printf("%s\n", tern_verify::line_of(claim).c_str());
   }
   for (const std::string& assumed : proof.assumed) std::printf("ASSUMED  %s\n", assumed.c_str());
+  if (!proof.note.empty()) std::printf("NOTE     %s\n", proof.note.c_str());
   std::printf("%s: %s: %zu of %zu claims are proven\n", plan.c_str(),
               tern_verify::verdict_word(tern_verify::verdict_of(claims)), proven, claims.size());
 }
@@ -86,6 +91,26 @@ Proof prove_flight(const std::string& text, const VerifyOptions& options, std::s
   return {tern_verify::prove(flight), tern_verify::assumed_of(flight)};
 }
 
+/// What is there at other times than the plan, in the words of `tern plan`.
+std::string absent_from(const tern_verify::Problem& problem, const tern_verify::Plan& plan) {
+  std::vector<tern_host::Presence> presences;
+  for (const tern_verify::Thing& thing : problem.things) {
+    const bool leaves = thing.end == tern_verify::ThingEnd::kGone;
+    presences.push_back({thing.name, tern_verify::guess(thing.from),
+                         leaves ? tern_verify::guess(thing.until) : std::numeric_limits<double>::infinity()});
+  }
+  for (std::size_t f = 0; f < problem.fences.size(); ++f) {
+    const tern_verify::Fence& fence = problem.fences[f];
+    if (!fence.window) continue;
+    const double wider = tern_verify::guess(fence.window->clock_error) * (fence.keep_in ? -1.0 : 1.0);
+    presences.push_back({tern_verify::title_of(problem.fences, f), tern_verify::guess(fence.window->from) - wider,
+                         tern_verify::guess(fence.window->until) + wider});
+  }
+  tern_verify::Rational end = problem.start_time + problem.rest_clear;
+  for (const tern_verify::Segment& segment : plan.segments) end += segment.duration;
+  return tern_host::absence_text(presences, tern_verify::guess(problem.start_time), tern_verify::guess(end));
+}
+
 /// What one file claims, proven: a flight's log, or a plan with the scenario after it.
 Proof prove_file(const VerifyOptions& options, std::size_t& next) {
   const std::vector<std::string>& files = options.files;
@@ -103,13 +128,14 @@ Proof prove_file(const VerifyOptions& options, std::size_t& next) {
   const tern_verify::Plan plan = tern_verify::parse_plan(text, name);
   const tern_verify::Problem problem = tern_verify::read_problem(files[next++]);
   tern_verify::require_same_request(problem, plan);
-  return {tern_verify::prove(problem, plan), tern_verify::assumed_of(problem, plan)};
+  return {tern_verify::prove(problem, plan), tern_verify::assumed_of(problem, plan), absent_from(problem, plan)};
 }
 
 Json file_json(const std::string& name, const Proof& proof) {
   const Verdict verdict = tern_verify::verdict_of(proof.claims);
   Json file{{"file", name}, {"verdict", tern_verify::verdict_word(verdict)}};
   if (!proof.assumed.empty()) file["assumed"] = proof.assumed;
+  if (!proof.note.empty()) file["note"] = proof.note;
   file["claims"] = claims_json(proof.claims);
   return file;
 }
@@ -148,7 +174,7 @@ void add_verify_command(CLI::App& app, int& exit_status) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--brief", options->brief, "Print only what is not proven or is assumed, and a line a plan");
+  command->add_flag("--brief", options->brief, "Print only what is not proven or is assumed, notes, and a line a plan");
   command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
   command->footer(
       "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"

@@ -49,14 +49,21 @@ NearestBlock nearest_block(const PlanResult& result, const Vec3& point) {
   return nearest;
 }
 
+/// "a block", or the name of a keepout.
+std::string name_of(const Block& block, const Scenario& scenario) {
+  if (!block.keepout) return "a block";
+  const auto index = std::count_if(scenario.blocks.data(), &block, [](const Block& before) { return before.keepout; });
+  return scenario.keepouts[static_cast<std::size_t>(index)];
+}
+
 std::string near_text(const PlanResult& result, const Vec3& point, const NearestBlock& nearest) {
   const tern::Box& box = nearest.block->box;
   const Vec3 at{std::clamp(point.x, box.lower.x, box.upper.x), std::clamp(point.y, box.lower.y, box.upper.y),
                 std::clamp(point.z, box.lower.z, box.upper.z)};
   const double apart = std::hypot(at.x - point.x, at.y - point.y, at.z - point.z);
   const Scenario& s = result.scenario;
-  std::string text = std::string("; it is too close to a ") + (nearest.block->keepout ? "keepout" : "block") + ", " +
-                     fixed(apart, 3) + " m away at (" + brief(at.x) + ", " + brief(at.y) + ", " + brief(at.z) + ")";
+  std::string text = "; it is too close to " + name_of(*nearest.block, s) + ", " + fixed(apart, 3) + " m away at (" +
+                     brief(at.x) + ", " + brief(at.y) + ", " + brief(at.z) + ")";
   if (apart >= s.clearance()) {
     text += ", whose voxels of " + brief(s.resolution) + " m are " + fixed(nearest.of_voxels, 3) + " m away";
   }
@@ -77,6 +84,7 @@ std::string occupied_text(const PlanResult& result) {
            "space, "
            "or set `unknown free`";
   }
+  if (inside && is_block && nearest.block->keepout) return "; it is inside " + name_of(*nearest.block, result.scenario);
   if (inside) return "; it is inside an obstacle";
   return is_block ? near_text(result, point, nearest) : "; it is outside of obstacles, but too close to one";
 }

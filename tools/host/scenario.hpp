@@ -64,6 +64,7 @@ struct Scenario {
   EarthFrame earth;  ///< where on the earth the world frame is, if the file says so
   tern::Box boundary{};
   std::vector<Block> blocks;
+  std::vector<std::string> keepouts;  ///< names of the blocks that are keepouts, in their order
   std::vector<FenceRecord> fences;
   std::optional<FenceCover> fences_within;  ///< what the fences were made for, if the file says so
   std::vector<FenceRecord> marked;          ///< keep-outs that are in the grid, as all voxels that they reach into

@@ -175,8 +175,10 @@ void ScenarioBuilder::add_fence_record(const std::vector<std::string>& words, co
   std::vector<std::string> fence = words;
   const FenceEnd end = take_end(place, fence);
   if (words.front() == "keepout") {
-    if (!end.has_times()) return add_block(fence, place);
-    return scenario_.tracks.push_back(read_timed_keepout(fence, end, scenario_.tracks.size() + 1, place));
+    const std::string name = keepout_name(++keepouts_, end.zone);
+    if (end.has_times()) return scenario_.tracks.push_back(read_timed_keepout(fence, end, name, place));
+    scenario_.keepouts.push_back(name);
+    return add_block(fence, place);
   }
   add_fence(fence, place, scenario_.fences, end);
   if (words.front() != "keepin" || end.has_times()) return;

@@ -67,6 +67,7 @@ class ScenarioBuilder {
 
   Scenario scenario_;
   bool has_boundary_ = false;
+  std::size_t keepouts_ = 0;  // records so far
   Place yaw_place_;
   std::vector<BoxRecord> boxes_;
   std::vector<Setting> settings_;

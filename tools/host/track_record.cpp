@@ -171,10 +171,14 @@ void add_track_piece(const Words& words, const Place& place, std::vector<TrackRe
   record->pieces.push_back(piece);
 }
 
-TrackRecord read_timed_keepout(const Words& words, const FenceEnd& end, std::size_t number_of_it, const Place& place) {
+std::string keepout_name(std::size_t number, const std::string& zone) {
+  return "keepout " + std::to_string(number) + (zone.empty() ? "" : " (" + zone + ")");
+}
+
+TrackRecord read_timed_keepout(const Words& words, const FenceEnd& end, const std::string& name, const Place& place) {
   const tern::Box box = box_of(numbers(words, place), "keepout", place);
   TrackRecord record;
-  record.id = "keepout " + std::to_string(number_of_it) + (end.zone.empty() ? "" : " (" + end.zone + ")");
+  record.id = name;
   record.is_fence = record.has_place = record.has_from = true;
   record.place = place;
   Track& track = record.track;

@@ -39,8 +39,11 @@ TrackRecord read_track(const Words& words, const Place& place);
 /// track_piece ID DURATION x0 y0 z0 ... x7 y7 z7, added to the track of that name. Throws RecordError.
 void add_track_piece(const Words& words, const Place& place, std::vector<TrackRecord>& tracks);
 
-/// keepout x0 y0 z0 x1 y1 z1, for a while: `number` and its zone make its name. Throws RecordError.
-TrackRecord read_timed_keepout(const Words& words, const FenceEnd& end, std::size_t number, const Place& place);
+/// "keepout 2 (Lake)": which of the file's `keepout` records it is, counted from 1, and its zone, if it has one.
+std::string keepout_name(std::size_t number, const std::string& zone);
+
+/// keepout x0 y0 z0 x1 y1 z1, for a while. Throws RecordError.
+TrackRecord read_timed_keepout(const Words& words, const FenceEnd& end, const std::string& name, const Place& place);
 
 /// Checks what only the whole scenario shows: pieces and places, capacities. Tracks without a `from` are measured at
 /// `start`. Throws RecordError.

@@ -110,9 +110,12 @@ Fence fence_of(const Json& json) {
   return fence;
 }
 
+std::string with_zone(const std::string& title, const std::string& zone) {
+  return zone.empty() ? title : title + " (" + zone + ")";
+}
+
 std::string title_of(const std::vector<Fence>& fences, std::size_t f) {
-  const std::string number = "fence " + std::to_string(f + 1);
-  return fences[f].zone.empty() ? number : number + " " + fences[f].zone;
+  return with_zone("fence " + std::to_string(f + 1), fences[f].zone);
 }
 
 bool same(const Fence& a, const Fence& b) {

@@ -30,7 +30,10 @@ Fence fence_of(const Json& json);
 /// the boundary reaches beyond the box, or more is kept from obstacles than the clearance.
 void require_cover(const Record& record, const Box& boundary, const Rational& clearance);
 
-/// "fence 3 Old town": its number, counted from 1, and its name, if it has one.
+/// A title, and in parentheses the name of what it is of, if it has one.
+std::string with_zone(const std::string& title, const std::string& zone);
+
+/// "fence 3 (Old town)": its number, counted from 1, and its name, if it has one.
 std::string title_of(const std::vector<Fence>& fences, std::size_t f);
 
 bool same(const Fence& a, const Fence& b);

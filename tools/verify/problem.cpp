@@ -105,8 +105,9 @@ void add_map_file(const Record& record, Problem& problem) {
 /// Adds a record to the problem, or to the settings.
 void add(const Record& record, Problem& problem, Settings& settings) {
   const std::string& key = record.key();
+  if (key == "keepout") ++problem.keepouts;
   if (is_track_record(record)) {
-    add_track_record(record, problem.things);
+    add_track_record(record, problem.keepouts, problem.things);
   } else if (key == "block" || key == "keepout") {
     Record block = record;
     if (key == "keepout") take_zone(block);

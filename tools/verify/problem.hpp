@@ -99,6 +99,7 @@ struct Problem {
   bool unknown_is_solid = false;  ///< what no octree says is free is an obstacle
   std::vector<Fence> fences;
   std::vector<Thing> things;    ///< that move
+  std::size_t keepouts = 0;     ///< `keepout` records of the file
   std::vector<Rational> frame;  ///< latitude, longitude and height of the origin, those that the file says
   std::string epoch;            ///< when the clock is 0, in the file's words
   Rational start_time = 0;

@@ -118,13 +118,13 @@ void add_piece(const Record& record, std::vector<Thing>& things) {
   record.refuse("there is no track '" + name + "'");
 }
 
-Thing keep_out_from(const Record& record) {
+Thing keep_out_from(const Record& record, std::size_t number) {
   Record box = record;
   const std::string zone = take_zone(box);
   const Window window = *take_window(box);
   const Box lies = box_from(record, box.numbers(1, 6));
   Thing thing;
-  thing.name = "keepout in line " + std::to_string(record.line) + (zone.empty() ? "" : " " + zone);
+  thing.name = with_zone("keepout " + std::to_string(number), zone);
   thing.shape = ThingShape::kBox;
   thing.position = Rational(1) / 2 * (lies.lower + lies.upper);
   thing.half = Rational(1) / 2 * (lies.upper - lies.lower);
@@ -147,9 +147,9 @@ bool is_track_record(const Record& record) {
   return record.key() == "track" || record.key() == "track_piece" || (record.key() == "keepout" && has_window(record));
 }
 
-void add_track_record(const Record& record, std::vector<Thing>& things) {
+void add_track_record(const Record& record, std::size_t keepouts, std::vector<Thing>& things) {
   if (record.key() == "track_piece") return add_piece(record, things);
-  things.push_back(record.key() == "track" ? track_from(record) : keep_out_from(record));
+  things.push_back(record.key() == "track" ? track_from(record) : keep_out_from(record, keepouts));
 }
 
 }  // namespace tern_verify

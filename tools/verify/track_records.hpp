@@ -15,8 +15,9 @@ namespace tern_verify {
 /// True for `track`, `track_piece`, and `keepout` with `during`. Throws InputError where the times are wrong.
 bool is_track_record(const Record& record);
 
-/// Adds the thing, or the piece of the last thing of that name. Throws InputError.
-void add_track_record(const Record& record, std::vector<Thing>& things);
+/// Adds the thing, or the piece of the last thing of that name. A keepout's name is its number among the file's
+/// `keepout` records, counted from 1: `keepouts`. Throws InputError.
+void add_track_record(const Record& record, std::size_t keepouts, std::vector<Thing>& things);
 
 }  // namespace tern_verify
 

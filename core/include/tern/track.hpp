@@ -43,7 +43,8 @@ struct TrackPiece {
 ///
 /// s seconds after `measured`, the centre is within error + error_speed * s + error_growth * s^2 / 2 of its curve. The
 /// quadratic term is for what may accelerate: a thing that was measured with a velocity and has an acceleration of a at
-/// most has error_growth a. Before `measured`, there is no such thing.
+/// most has error_growth a. Before `measured`, there is no such thing. Times that are never during a plan are no error:
+/// plans do not keep clear of it (docs/tracks.md says how to notice).
 ///
 /// Numbers must be finite (kNonFiniteInput) and no larger than kMaxTrackNumber; sizes, errors and `reach` are not
 /// negative; durations are above 0; `until` is not before `measured` if it counts. Else the answer is kInvalidArgument.

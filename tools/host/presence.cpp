@@ -1,0 +1,48 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/presence.hpp"
+
+#include <limits>
+
+namespace tern_host {
+namespace {
+
+constexpr std::size_t kNamed = 8;
+
+double seconds(std::int64_t nanoseconds) {
+  return 1e-9 * static_cast<double>(nanoseconds);
+}
+
+}  // namespace
+
+std::vector<Presence> presences_of(const Scenario& scenario) {
+  std::vector<Presence> all;
+  for (const TrackRecord& record : scenario.tracks) {
+    const tern::Track& track = record.track;
+    const bool leaves = track.end == tern::TrackEnd::kGone;
+    all.push_back(
+        {record.id, seconds(track.measured), leaves ? seconds(track.until) : std::numeric_limits<double>::infinity()});
+  }
+  for (std::size_t k = 0; k < scenario.fences.size(); ++k) {
+    const tern::Fence& fence = scenario.fences[k].fence;
+    if (!tern::is_timed(fence)) continue;
+    const double wider = fence.kind == tern::FenceKind::kKeepOut ? fence.clock_error : -fence.clock_error;
+    all.push_back({"fence " + std::to_string(k + 1) + zone_text(scenario.fences, static_cast<std::int32_t>(k)),
+                   seconds(fence.from) - wider, seconds(fence.until) + wider});
+  }
+  return all;
+}
+
+std::string absence_text(const std::vector<Presence>& presences, double begin, double end) {
+  std::string names;
+  std::size_t absent = 0;
+  for (const Presence& one : presences) {
+    if (one.from < end && one.until >= begin) continue;
+    if (++absent <= kNamed) names += (names.empty() ? "" : ", ") + one.name;
+  }
+  if (absent == 0) return "";
+  if (absent > kNamed) names += " and " + std::to_string(absent - kNamed) + " more";
+  return "not there during the plan: " + names;
+}
+
+}  // namespace tern_host
