@@ -79,7 +79,9 @@ double whole_milliseconds(double time) {
   return std::ceil(1e3 * time - 1e-6);
 }
 
-std::string time_text(const Scenario& scenario, double time) {
+}  // namespace
+
+std::string clock_text(const Scenario& scenario, double time) {
   const double ms = whole_milliseconds(time);
   const std::string text = fixed(ms / 1e3, 3) + " s of the clock";
   if (scenario.earth.epoch.empty() || !(std::fabs(time) < 1e9)) return text;
@@ -87,16 +89,17 @@ std::string time_text(const Scenario& scenario, double time) {
   return text + " (" + instant_text(at) + ")";
 }
 
-}  // namespace
-
 std::string describe_closed_start(const PlanResult& result) {
   const Scenario& scenario = result.scenario;
   const std::optional<Closed> met = closed_of(result);
   if (!met) return "";
-  std::string text = "; it is closed until " + time_text(scenario, met->until);
+  std::string text = "; it is closed until " + clock_text(scenario, met->until);
   const double free = start_is_free_at(scenario);
-  if (!(free > scenario.start_time)) return text;
-  text += "; the start is in it: it is free at " + time_text(scenario, free);
+  if (!(free > scenario.start_time)) {
+    const bool crosses = result.report.status == tern::Status::kNoClearTime;
+    return crosses ? text + ": wait until then, or choose another goal" : text;
+  }
+  text += "; the start is in it: it is free at " + clock_text(scenario, free);
   return text + ". Begin then (start_time " + shortest(whole_milliseconds(free) / 1e3) + "), or elsewhere";
 }
 

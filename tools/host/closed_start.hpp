@@ -13,6 +13,9 @@ namespace tern_host {
 /// is in it, when a plan may begin. Begins with a semicolon; empty for other answers.
 std::string describe_closed_start(const PlanResult& result);
 
+/// "12.500 s of the clock", and when that is, if the scenario says when the clock is 0. To the next millisecond.
+std::string clock_text(const Scenario& scenario, double time);
+
 }  // namespace tern_host
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "host/closed_start.hpp"
 #include "host/finding_text.hpp"
+#include "host/met_text.hpp"
 #include "host/number.hpp"
 #include "host/occupied_text.hpp"
 
@@ -164,13 +165,6 @@ Json check_json(const tern::ProofReport& check) {
           {"excess", check.excess}};
 }
 
-bool meets_track(const PlanResult& result) {
-  const tern::Status status = result.report.status;
-  const bool meets = status == tern::Status::kStartInContact || status == tern::Status::kGoalCovered ||
-                     status == tern::Status::kNoClearTime;
-  return meets && (result.report.track >= 0 || result.report.fence >= 0);
-}
-
 /// What the plan does about things that move.
 void add_tracks(const PlanResult& result, Json& plan) {
   const Scenario& scenario = result.scenario;
@@ -182,7 +176,7 @@ void add_tracks(const PlanResult& result, Json& plan) {
     plan["waits"] = report.waits;
     if (report.track >= 0) plan["leaves"] = result.track_name();
   }
-  if (meets_track(result)) {
+  if (is_met(result)) {
     Json& conflict = plan["first_conflict"];
     if (report.track >= 0) conflict["track"] = result.track_name();
     if (report.track < 0) conflict["fence"] = report.fence;
@@ -203,13 +197,6 @@ std::string finding_text(const PlanResult& result) {
   return "; the check found: " + describe_finding(check, result.scenario.fences);
 }
 
-/// From when on a goal that is covered would be free.
-std::string free_text(const tern::Report& report) {
-  if (report.status != tern::Status::kGoalCovered) return "";
-  if (std::isfinite(report.goal_free)) return "; the goal is free after " + brief(report.goal_free) + " s";
-  return "; the goal was not found free within an hour";
-}
-
 std::string fence_text(const PlanResult& result) {
   const std::int32_t fence = result.report.fence;
   return "; fence: number " + std::to_string(fence + 1) + " of the request" + zone_text(result.scenario.fences, fence);
@@ -221,11 +208,7 @@ std::string describe_failure(const PlanResult& result) {
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += fence_text(result);
-  if (meets_track(result)) {
-    if (report.track >= 0) text += "; track: " + result.track_name();
-    text += ", " + brief(report.conflict) + " s after the beginning" + free_text(report);
-  }
-  text += describe_closed_start(result) + describe_occupied(result) + result.closed_way;
+  text += describe_met(result) + describe_closed_start(result) + describe_occupied(result) + result.closed_way;
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
   return text + finding_text(result);

@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::size_t kNamed = 8;
 
-double seconds(std::int64_t nanoseconds) {
-  return 1e-9 * static_cast<double>(nanoseconds);
-}
-
 }  // namespace
 
 std::vector<Presence> presences_of(const Scenario& scenario) {
@@ -20,15 +16,15 @@ std::vector<Presence> presences_of(const Scenario& scenario) {
   for (const TrackRecord& record : scenario.tracks) {
     const tern::Track& track = record.track;
     const bool leaves = track.end == tern::TrackEnd::kGone;
-    all.push_back(
-        {record.id, seconds(track.measured), leaves ? seconds(track.until) : std::numeric_limits<double>::infinity()});
+    all.push_back({record.id, seconds_of(track.measured),
+                   leaves ? seconds_of(track.until) : std::numeric_limits<double>::infinity()});
   }
   for (std::size_t k = 0; k < scenario.fences.size(); ++k) {
     const tern::Fence& fence = scenario.fences[k].fence;
     if (!tern::is_timed(fence)) continue;
     const double wider = fence.kind == tern::FenceKind::kKeepOut ? fence.clock_error : -fence.clock_error;
     all.push_back({"fence " + std::to_string(k + 1) + zone_text(scenario.fences, static_cast<std::int32_t>(k)),
-                   seconds(fence.from) - wider, seconds(fence.until) + wider});
+                   seconds_of(fence.from) - wider, seconds_of(fence.until) + wider});
   }
   return all;
 }

@@ -122,6 +122,10 @@ std::int64_t nanoseconds(double seconds) {
   return std::llround(seconds * 1e9);
 }
 
+double seconds_of(std::int64_t nanoseconds) {
+  return 1e-9 * static_cast<double>(nanoseconds);
+}
+
 void read_shape(WordQueue& queue, Track& track) {
   const std::string shape = queue.word("its shape");
   if (shape == "ball") {

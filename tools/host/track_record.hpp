@@ -58,6 +58,9 @@ std::vector<tern::Track> tracks_of(const std::vector<TrackRecord>& records);
 /// Seconds as nanoseconds, rounded.
 std::int64_t nanoseconds(double seconds);
 
+/// Nanoseconds as seconds.
+double seconds_of(std::int64_t nanoseconds);
+
 }  // namespace tern_host
 
 #endif

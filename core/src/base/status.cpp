@@ -101,7 +101,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kGoalTooNarrow: return "the free space around the goal is narrower than a voxel";
     case Status::kStartInContact: return "the start is too near to a moving thing, and no plan leads away from it";
     case Status::kGoalCovered: return "the goal is not clear of moving things and fences for a while when the plan arrives, or soon after";
-    case Status::kNoClearTime: return "no plan was found that is clear of all moving things and fences for a while: wait, or choose another goal";
+    case Status::kNoClearTime: return "no plan was found that is clear of all moving things and fences for a while";
     case Status::kViaTooNarrow: return "the free space around a via is narrower than a voxel";
     case Status::kViaOccupied: return "a via is closer to an obstacle than the radius";
     case Status::kViaFenced: return "a via is outside a keep-in, or nearer than the radius to a keep-out";
