@@ -49,6 +49,11 @@ const Scene kScenes[] = {
     {"vias",
      "boundary 0 0 0 14 8 4\nblock 4 0 0 4.5 5 4\nstart 1 1 1\nvia 4.2 6.5 1\nvia 8 2 2 0.4\nvia 12 3 2 stop\n"
      "goal 12 6 2\n"},
+    {"things",
+     "boundary 0 0 0 16 10 3\nblock 4 0 0 5 6 3\nstart 1 5 1.5\ngoal 15 5 1.5\nradius 0.3\n"
+     "track man cylinder 0.3 1.8 at 7 9 0.9 velocity 0 -1 0\ntrack other ball 0.3 at 7 9 0.9 velocity 0.1 -1 0\n"
+     "track late ball 0.3 at 7 9 0.9 from 900\nkeepout 11 3 0 13 7 3 during 0 6 zone Crane <lift>\n"},
+    {"closed", "boundary 0 0 0 8 6 3\nkeepout_halfspaces 1 0 0 4 -1 0 0 -3 during 0 9\nstart 1 1 1\ngoal 7 5 2\n"},
     {"no_path", "boundary 0 0 0 8 6 3\nblock 4 0 0 5 6 3\nstart 1 1 1\ngoal 7 5 2\n"},
     {"far_goal", "boundary 0 0 0 8 6 3\nstart 1 1 1\ngoal 70 5 2\nv_max 1 2 3\nv_horizontal 2.5\na_min -1 -1.5 -3\n"},
     {"long_name_0123456789_0123456789_0123456789_0123456789_0123456789_0123456789_0123456789_0123456789",
@@ -173,17 +178,51 @@ TEST(ObliquePicture, NoTextStandsOverAnotherAndBothEndsAreNamed) {
   }
 }
 
+/// Each stands in both views of the page and once in the oblique picture, but for what is not there in time.
+TEST(Picture, NamesThingsAndKeepOutsForAWhile) {
+  const auto scene = std::find_if(std::begin(kScenes), std::end(kScenes),
+                                  [](const Scene& each) { return std::string(each.name) == "things"; });
+  const PlanResult result = plan(scene->name, scene->text);
+  const std::string oblique = tern_host::oblique_svg(result);
+  const std::string page = tern_host::plan_svg(result);
+  expect_readable(oblique, 1200.0);
+  const auto count = [](const std::string& svg, const std::string& name) {
+    const std::vector<Lettering> texts = texts_of(svg);
+    return std::count_if(texts.begin(), texts.end(), [&](const Lettering& text) { return text.text == name; });
+  };
+  for (const char* const name : {"man", "other", "keepout 1 (Crane &lift&)"}) {
+    EXPECT_EQ(count(page, name), 2) << name;
+    EXPECT_EQ(count(oblique, name), 1) << name;
+  }
+  EXPECT_EQ(count(page, "late") + count(oblique, "late"), 0);
+}
+
 /// Classes of what is drawn, and the legend's name for each.
 const std::map<std::string, std::string> kLegend = {
-    {"block", "obstacle"},       {"merged-block", "obstacle"},           {"keepout", "keep-out fence"},
-    {"keepin", "keep-in fence"}, {"inflated", "inflated by the radius"}, {"corridor", "corridor polyhedra"},
-    {"raw", "jump-point path"},  {"shortcut", "shortcut, waypoints"},    {"trajectory", "trajectory, speed |v|"},
+    {"block", "obstacle"},
+    {"merged-block", "obstacle"},
+    {"keepout", "keep-out fence"},
+    {"keepin", "keep-in fence"},
+    {"inflated", "inflated by the radius"},
+    {"corridor", "corridor polyhedra"},
+    {"raw", "jump-point path"},
+    {"shortcut", "shortcut, waypoints"},
+    {"trajectory", "trajectory, speed |v|"},
+    {"keepout-for-a-while", "keep-out for a while"},
+    {"thing", "what moves, at the start"},
 };
 
 const std::map<std::string, std::string> kObliqueLegend = {
-    {"block-front", "obstacle"}, {"keepout", "keep-out fence"},         {"keepout-front", "keep-out fence"},
-    {"keepin", "keep-in fence"}, {"flight", "trajectory, speed"},       {"behind", "behind an obstacle"},
-    {"shadow", "its shadow"},    {"robot", "the robot, once a second"},
+    {"block-front", "obstacle"},
+    {"keepout", "keep-out fence"},
+    {"keepout-front", "keep-out fence"},
+    {"keepin", "keep-in fence"},
+    {"flight", "trajectory, speed"},
+    {"behind", "behind an obstacle"},
+    {"shadow", "its shadow"},
+    {"robot", "the robot, once a second"},
+    {"keepout-for-a-while", "keep-out for a while"},
+    {"thing", "what moves, at the start"},
 };
 
 void expect_legend(const std::string& svg, const std::map<std::string, std::string>& legend) {

@@ -189,6 +189,27 @@ def check_blocked(tab, program, folder):
     tab.wait("!page.views[0].layers.blocked.visible")
 
 
+def check_things(tab, program, root, folder):
+    """Things have their names while they are there, and keep-outs for a while are fences."""
+    page = folder / "things.html"
+    tern(program, "plan", root / "docs/tracks.txt", "--html", page)
+
+    def names():
+        return tab.run("[...document.querySelectorAll('#labels .point')].filter((e) => !e.hidden).map((e) => e.textContent)")
+
+    look(tab, page, folder, "things", width=1280, height=800)
+    check(names() == ["start", "goal", "man", "bird", "keepout 1"], f"what is there has its name: {names()}")
+    man, closed = tab.run("[2, 4].map((k) => document.querySelectorAll('#labels .point')[k].style.color)")
+    check(man != closed, "things and keep-outs for a while have two colours")
+    tab.run("page.player.set(6.5)")
+    tab.run(DRAWN)
+    check(names() == ["start", "goal", "man", "bird"], f"what has gone has no name: {names()}")
+    tab.run("page.player.set(1), document.querySelector('[data-layer=things]').click()")
+    tab.wait("!page.views[0].layers.things.visible")
+    tab.run(DRAWN)
+    check(names() == ["start", "goal", "keepout 1"], f"what is hidden has no name: {names()}")
+
+
 def check_no_plan(tab, program, root, folder):
     """A scenario without a plan has a page all the same; a name like markup does not spoil it."""
     page = folder / "none.html"
@@ -224,7 +245,7 @@ def main():
     path = browser.needed()
     folder.mkdir(parents=True, exist_ok=True)
     with browser.Browser(path) as tab:
-        for part in (check_plan, check_table, check_no_plan):
+        for part in (check_plan, check_table, check_things, check_no_plan):
             part(tab, program, root, folder)
         check_flight(tab, program, folder)
         check_blocked(tab, program, folder)

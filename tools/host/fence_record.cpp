@@ -219,6 +219,12 @@ bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind) {
                      [kind](const FenceRecord& fence) { return fence.fence.kind == kind; });
 }
 
+bool has_keepout(const std::vector<FenceRecord>& fences, bool for_a_while) {
+  return std::any_of(fences.begin(), fences.end(), [for_a_while](const FenceRecord& fence) {
+    return fence.fence.kind == tern::FenceKind::kKeepOut && tern::is_timed(fence.fence) == for_a_while;
+  });
+}
+
 bool exceeds_capacity(const std::vector<FenceRecord>& fences) {
   std::size_t planes = 0;
   for (const FenceRecord& record : fences) planes += record.planes.size();

@@ -69,6 +69,8 @@ bool exceeds_capacity(const std::vector<FenceRecord>& fences);
 void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box& boundary, double clearance);
 
 bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind);
+/// A keep-out that holds for a while, or one that always holds.
+bool has_keepout(const std::vector<FenceRecord>& fences, bool for_a_while);
 
 /// The fences as the core takes them: views of these.
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records);

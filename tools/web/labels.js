@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 "use strict";
 
-/** Texts over the canvas: the runs' names above their worlds, start and goal at their places, frames of close-ups. */
+const MOST_NAMES = 40;  // of things: more would hide the world
+
+/**
+ * Texts over the canvas: the runs' names above their worlds, start and goal at their places, things that move by their
+ * names, frames of close-ups.
+ */
 class Labels {
   constructor(parent) {
     this.parent = parent;
@@ -22,7 +27,12 @@ class Labels {
       name.append(title, rest);
       const points = [["start", run.start], ["goal", run.goal]].map(([text, [x, y, z]]) =>
         ({label: this.add("point", text), place: new THREE.Vector3(x, y, z)}));
-      return {name, points, closeup: this.add("closeup", "")};
+      const things = run.things && run.things.length <= MOST_NAMES ? run.things.map((thing) => {
+        const label = this.add("point", thing.name);
+        label.style.color = css(thing.fence ? palette.fence : palette.thing);
+        return {label, layer: thing.fence ? "fences" : "things"};
+      }) : [];
+      return {name, points, things, closeup: this.add("closeup", "")};
     });
   }
 
@@ -52,19 +62,26 @@ class Labels {
     });
   }
 
-  /** Start and goal follow the camera. Small cells go without. */
+  /** Start, goal and things follow the camera. Small cells go without. */
   move(stage) {
-    this.items.forEach(({points}, i) => {
-      const {left, top, width, height} = stage.main(i);
-      for (const {label, place} of points) {
-        label.hidden = stage.follows || width < 280;
-        if (label.hidden) continue;
-        const {x, y} = stage.project(i, place);
-        const at = Math.min(Math.max(x, left + 16), left + width - 16);
-        label.hidden = x < left || x > left + width || y < top || y > top + height;
-        if (!label.hidden) label.style.transform = `translate(-50%, -100%) translate(${Math.round(at)}px, ${Math.round(y) - 8}px)`;
-      }
+    this.items.forEach(({points, things}, i) => {
+      const view = stage.views[i];
+      for (const {label, place} of points) Labels.place(stage, i, label, place);
+      things.forEach(({label, layer}, k) => {
+        Labels.place(stage, i, label, view.layers[layer].visible ? view.things.top(k) : null);
+      });
     });
+  }
+
+  /** Null: nowhere. */
+  static place(stage, i, label, place) {
+    const {left, top, width, height} = stage.main(i);
+    label.hidden = place === null || stage.follows || width < 280;
+    if (label.hidden) return;
+    const {x, y} = stage.project(i, place);
+    const at = Math.min(Math.max(x, left + 16), left + width - 16);
+    label.hidden = x < left || x > left + width || y < top || y > top + height;
+    if (!label.hidden) label.style.transform = `translate(-50%, -100%) translate(${Math.round(at)}px, ${Math.round(y) - 8}px)`;
   }
 }
 

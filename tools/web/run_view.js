@@ -58,9 +58,13 @@ class RunView {
     this.root.add(floorAndFrame(run, palette), endsAndVias(run, palette, mark));
     if (run.blocked) this.addLayer("blocked", blockedMark(run, palette, 0.7 * mark));
     if (run.film) this.addFilm(palette); else this.addLayer("known", knownObstacles(run, palette, this.shared));
-    if (run.fences.length + run.keepout.length > 0) this.addLayer("fences", fences(run, palette));
     this.things = run.things && run.things.length > 0 ? new Things(run, palette, this.shared.pixel) : null;
-    if (this.things) this.addLayer("things", this.things.group);
+    const closed = this.things ? this.things.closed : new THREE.Group();
+    if (run.fences.length + run.keepout.length + closed.children.length > 0) {
+      this.addLayer("fences", fences(run, palette));
+      this.layers.fences.add(closed);
+    }
+    if (this.things && this.things.group.children.length > closed.children.length) this.addLayer("things", this.things.group);
     if (run.path) this.addLayer("path", this.paths(palette));
     if (run.corridor) {
       this.addLayer("corridor", polyhedraMesh(this.run.corridor, volumeMaterials(palette.corridor, 0.04, 0.28)));

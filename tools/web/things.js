@@ -13,13 +13,14 @@ function thingGeometry({shape, radius, half}, error) {
 }
 
 /**
- * Things that move: each with its tube's width now, and the way of its centre. `run.things`: for each its shape, and rows
- * `step` seconds apart of its place and its error; a place of null while it is not there. `run.film.tubes`, likewise: the
- * tubes of the plan that is flown, without things in them.
+ * Things that move: each with its tube's width now, and the way of its centre. `run.things`: for each its name, its shape,
+ * and rows `step` seconds apart of its place and its error; a place of null while it is not there. `run.film.tubes`,
+ * likewise: the tubes of the plan that is flown, without things in them. Keep-outs for a while are in `closed`, all else is
+ * in `group`.
  */
 class Things {
   constructor(run, palette, pixel) {
-    this.group = new THREE.Group();
+    [this.group, this.closed] = [new THREE.Group(), new THREE.Group()];
     const tubes = (run.film && run.film.tubes) || [];
     this.things = [...run.things.map((thing) => this.add(thing, this.addSolid(thing, palette, pixel), palette)),
       ...tubes.map((tube) => this.add(tube, null, palette))];
@@ -35,7 +36,8 @@ class Things {
   addSolid(thing, palette, pixel) {
     const solid = new THREE.Mesh(thingGeometry(thing, 0), new THREE.MeshLambertMaterial(thing.fence
       ? {color: palette.fence, transparent: true, opacity: 0.28, depthWrite: false} : {color: palette.thing}));
-    this.group.add(solid);
+    (thing.fence ? this.closed : this.group).add(solid);
+    if (thing.fence) return solid;
     const lists = [[]];
     thing.rows.forEach((row) => {
       if (row === null) lists.push([]);
@@ -43,6 +45,14 @@ class Things {
     });
     this.group.add(plainTubes(lists, palette.thing, tubeMaterial(0, 1.5, pixel, {opacity: 0.6})));
     return solid;
+  }
+
+  /** Where the name of thing k belongs now, above it; null while it is not there. */
+  top(k) {
+    const {solid, shape, radius, half} = this.things[k];
+    if (!solid.visible) return null;
+    const {x, y, z} = solid.position;
+    return new THREE.Vector3(x, y, z + (shape === "ball" ? radius : half[2]));
   }
 
   setTime(t) {

@@ -47,6 +47,7 @@ std::string style_sheet() {
 .thing { fill: #6b4423; stroke: #5f3d1b; stroke-width: 1 }
 .thing-later { fill: #6b4423; fill-opacity: 0.16; stroke: #6b4423; stroke-width: 0.8 }
 .thing-way { fill: none; stroke: #6b4423; stroke-width: 1.2; stroke-dasharray: 5 3 }
+.thing-name { font-size: 12px; font-weight: 600; paint-order: stroke; stroke: #ffffff; stroke-width: 3 }
 .sweep { fill: #6b4423 }
 .corridor { fill: #1f9d8b; fill-opacity: 0.09; stroke: #14806f; stroke-opacity: 0.6; stroke-width: 1 }
 .raw { stroke: #b7791f; stroke-width: 1.6; stroke-dasharray: 2 4; stroke-linecap: round }

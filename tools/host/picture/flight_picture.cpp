@@ -181,7 +181,8 @@ double draw_head(Canvas& canvas, const FlightWorld& world, const FlightResult& r
   if (r.is_blocked()) legend.push_back(dot_entry("in the way at the end", kBlockedRadius, kBlocked));
   if (!world.things.empty()) legend.push_back(area_entry("what moves, at the end, and its way", kThing, 5.0));
   if (!r.things.contacts.empty()) legend.push_back(dot_entry("where the body touched it", kBlockedRadius, kTouched));
-  if (has_fence(world.fences, tern::FenceKind::kKeepOut)) legend.push_back(keepout_entry());
+  if (has_keepout(world.fences, false)) legend.push_back(keepout_entry());
+  if (has_keepout(world.fences, true)) legend.push_back(keepout_for_a_while_entry());
   if (has_fence(world.fences, tern::FenceKind::kKeepIn)) legend.push_back(keepin_entry());
   draw_legend(canvas, legend, {kPageMargin, y}, kContentWidth);
   return y + 30.0 + kLegendRow * legend_rows(legend, kContentWidth);

@@ -137,12 +137,13 @@ std::string obstacle_name(const Scenario& scenario, bool oblique) {
 
 std::vector<LegendEntry> world_entries(const Scenario& scenario, WorldLegend legend) {
   const bool oblique = legend == WorldLegend::kOblique;
-  const bool keepout = has_block(scenario, true) || has_fence(scenario.fences, tern::FenceKind::kKeepOut);
+  const bool keepout = has_block(scenario, true) || has_keepout(scenario.fences, false);
+  const bool inflated = keepout || !scenario.blocks.empty() || has_keepout(scenario.fences, true);
   const std::string block = oblique ? "class=\"block-front\"" : "class=\"block\" opacity=\"0.8\"";
   std::vector<LegendEntry> entries;
   if (has_block(scenario, false)) entries.push_back(area_entry(obstacle_name(scenario, oblique), block));
   if (keepout) entries.push_back(keepout_entry());
-  if (!oblique && (!scenario.blocks.empty() || keepout)) {
+  if (!oblique && inflated) {
     entries.push_back(area_entry("inflated by the radius", "class=\"inflated\"", 7.0));
   }
   if (has_fence(scenario.fences, tern::FenceKind::kKeepIn)) entries.push_back(keepin_entry());

@@ -69,6 +69,15 @@ LegendEntry keepout_entry() {
   return area_entry("keep-out fence", kKeepoutStyle);
 }
 
+LegendEntry keepout_for_a_while_entry() {
+  return area_entry("keep-out for a while", kKeepoutForAWhileStyle);
+}
+
+const char* fence_style(const tern::Fence& fence) {
+  if (fence.kind == tern::FenceKind::kKeepIn) return kKeepinStyle;
+  return tern::is_timed(fence) ? kKeepoutForAWhileStyle : kKeepoutStyle;
+}
+
 LegendEntry keepin_entry() {
   return area_entry("keep-in fence", kKeepinStyle);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/picture/canvas.hpp"
+#include "tern/fence.hpp"
 
 namespace tern_host {
 
@@ -20,7 +21,9 @@ struct LegendEntry {
 
 /// How fences look.
 constexpr const char* kKeepoutStyle = "class=\"keepout\" opacity=\"0.6\"";
+constexpr const char* kKeepoutForAWhileStyle = "class=\"keepout-for-a-while\"";
 constexpr const char* kKeepinStyle = "class=\"keepin\"";
+const char* fence_style(const tern::Fence& fence);
 
 constexpr double kLegendRow = 22.0;  ///< pixels from one row to the next
 
@@ -28,6 +31,7 @@ LegendEntry area_entry(const std::string& name, const std::string& style, double
 LegendEntry line_entry(const std::string& name, const std::string& style);
 LegendEntry dot_entry(const std::string& name, double radius, const std::string& style);
 LegendEntry keepout_entry();
+LegendEntry keepout_for_a_while_entry();
 LegendEntry keepin_entry();
 /// A bar of the speed colours. Defines the gradient that it is filled with.
 LegendEntry speed_entry(const std::string& name);

@@ -26,7 +26,8 @@ constexpr Font kNumber{"number", 13.0, false};
 constexpr Font kFigure{"figure", 20.0, true};
 constexpr Font kFigureName{"figure-name", 13.0, false};
 constexpr Font kEndName{"end-name", 14.0, true};
-constexpr Font kFonts[] = {kTitle, kSubtitle, kHeading, kLabel, kNumber, kFigure, kFigureName, kEndName};
+constexpr Font kThingName{"thing-name", 12.0, true};
+constexpr Font kFonts[] = {kTitle, kSubtitle, kHeading, kLabel, kNumber, kFigure, kFigureName, kEndName, kThingName};
 
 /// Width of a UTF-8 text in pixels.
 double text_width(const std::string& text, const Font& font);

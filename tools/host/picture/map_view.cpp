@@ -65,11 +65,13 @@ std::vector<Pixel> fence_outline(const View& view, const FenceRecord& fence, con
   return convex_hull(corners);
 }
 
+/// Of one kind; without a style, in that of each fence.
 void draw_kind(Canvas& canvas, const View& view, const std::vector<FenceRecord>& fences, const tern::Box& boundary,
-               tern::FenceKind kind, const std::string& style) {
+               tern::FenceKind kind, const std::string& style = "") {
   for (const FenceRecord& fence : fences) {
     const std::vector<Pixel> outline = fence_outline(view, fence, boundary);
-    if (fence.fence.kind == kind && !outline.empty()) canvas.polygon(outline, style);
+    if (fence.fence.kind != kind || outline.empty()) continue;
+    canvas.polygon(outline, style.empty() ? fence_style(fence.fence) : style);
   }
 }
 
@@ -198,8 +200,8 @@ void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projecti
 void draw_fences(Canvas& canvas, const Axes& axes, const Projection& projection, const std::vector<FenceRecord>& fences,
                  const tern::Box& boundary) {
   const View view(axes, projection);
-  draw_kind(canvas, view, fences, boundary, tern::FenceKind::kKeepOut, kKeepoutStyle);
-  draw_kind(canvas, view, fences, boundary, tern::FenceKind::kKeepIn, kKeepinStyle);
+  draw_kind(canvas, view, fences, boundary, tern::FenceKind::kKeepOut);
+  draw_kind(canvas, view, fences, boundary, tern::FenceKind::kKeepIn);
 }
 
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
@@ -248,6 +250,8 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
   }
   if (projection.depth == 2) draw_noses(canvas, axes, projection, result);
   draw_ends(canvas, axes, projection, result.scenario, way);
+  draw_thing_names(
+      canvas, result, [&](const Vec3& p) { return view.world(p); }, axes.frame);
 }
 
 }  // namespace tern_host

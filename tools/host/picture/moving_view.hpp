@@ -20,6 +20,9 @@ using WorldToPixel = std::function<Pixel(const tern::Vec3&)>;
 /// Without a plan, for ten seconds.
 void draw_things(Canvas& canvas, const PlanResult& result, const WorldToPixel& pixel);
 
+/// Names of things and of keep-outs for a while, where they are first; not where other text leaves no room. Last.
+void draw_thing_names(Canvas& canvas, const PlanResult& result, const WorldToPixel& pixel, const Rect& frame);
+
 /// Their entry of the legend; none for a scenario without them.
 std::vector<LegendEntry> thing_entries(const Scenario& scenario);
 

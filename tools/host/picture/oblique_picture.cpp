@@ -151,8 +151,8 @@ void draw_plan(Canvas& canvas, const PlanResult& result, const ObliqueScene& sce
                const std::vector<Point>& points, double scale, const Rect& frame) {
   scene.draw_ground(canvas);
   scene.draw_blocks(canvas);
-  scene.draw_fences(canvas, tern::FenceKind::kKeepOut, "class=\"keepout\" opacity=\"0.6\"");
-  scene.draw_fences(canvas, tern::FenceKind::kKeepIn, "class=\"keepin\"");
+  scene.draw_fences(canvas, tern::FenceKind::kKeepOut);
+  scene.draw_fences(canvas, tern::FenceKind::kKeepIn);
   canvas.begin_clipped(frame);
   draw_things(canvas, result, [&](const tern::Vec3& p) { return camera.project(p); });
   canvas.end_group();
@@ -167,6 +167,8 @@ void draw_plan(Canvas& canvas, const PlanResult& result, const ObliqueScene& sce
   draw_via_marks(canvas, frame, vias);
   draw_end_marks(canvas, frame, camera.project(result.scenario.start.position),
                  camera.project(result.scenario.goal.position), way);
+  draw_thing_names(
+      canvas, result, [&](const tern::Vec3& p) { return camera.project(p); }, frame);
 }
 
 }  // namespace

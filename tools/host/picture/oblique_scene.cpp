@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/picture/axes.hpp"
+#include "host/picture/legend.hpp"
 #include "host/picture/map_view.hpp"
 #include "host/picture/outline.hpp"
 
@@ -101,13 +102,13 @@ void ObliqueScene::draw_blocks(Canvas& canvas) const {
   }
 }
 
-void ObliqueScene::draw_fences(Canvas& canvas, tern::FenceKind kind, const std::string& style) const {
+void ObliqueScene::draw_fences(Canvas& canvas, tern::FenceKind kind) const {
   for (const FenceRecord& fence : scenario_.fences) {
     if (fence.fence.kind != kind) continue;
     std::vector<Pixel> corners;
     for (const Vec3& v : fence_corners(fence, scenario_.boundary)) corners.push_back(camera_.project(v));
     const std::vector<Pixel> outline = convex_hull(corners);
-    if (!outline.empty()) canvas.polygon(outline, style);
+    if (!outline.empty()) canvas.polygon(outline, fence_style(fence.fence));
   }
 }
 

@@ -20,7 +20,7 @@ class ObliqueScene {
 
   void draw_ground(Canvas& canvas) const;
   void draw_blocks(Canvas& canvas) const;
-  void draw_fences(Canvas& canvas, tern::FenceKind kind, const std::string& style) const;
+  void draw_fences(Canvas& canvas, tern::FenceKind kind) const;
   /// Whether an obstacle stands before a point of the world.
   bool hidden(const tern::Vec3& world) const;
 
