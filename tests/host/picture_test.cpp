@@ -186,6 +186,7 @@ TEST(Picture, NamesThingsAndKeepOutsForAWhile) {
   const std::string oblique = tern_host::oblique_svg(result);
   const std::string page = tern_host::plan_svg(result);
   expect_readable(oblique, 1200.0);
+  EXPECT_TRUE(has(page, ">clear of blocks<") && has(page, ">clear of things<"));
   const auto count = [](const std::string& svg, const std::string& name) {
     const std::vector<Lettering> texts = texts_of(svg);
     return std::count_if(texts.begin(), texts.end(), [&](const Lettering& text) { return text.text == name; });

@@ -199,6 +199,8 @@ def check_things(tab, program, root, folder):
 
     look(tab, page, folder, "things", width=1280, height=800)
     check(names() == ["start", "goal", "man", "bird", "keepout 1"], f"what is there has its name: {names()}")
+    facts = tab.run("document.getElementById('facts').textContent")
+    check(re.search(r"0\.\d+ m from blocks; nearest (man|bird|keepout 1) at 0\.\d+ m", facts), f"both clearances: {facts}")
     man, closed = tab.run("[2, 4].map((k) => document.querySelectorAll('#labels .point')[k].style.color)")
     check(man != closed, "things and keep-outs for a while have two colours")
     tab.run("page.player.set(6.5)")

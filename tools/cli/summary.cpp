@@ -7,6 +7,7 @@
 
 #include "host/figures.hpp"
 #include "host/nearest_fence.hpp"
+#include "host/nearest_thing.hpp"
 #include "host/number.hpp"
 #include "host/peaks.hpp"
 #include "host/plan_file.hpp"
@@ -104,6 +105,8 @@ std::string tracks_line(const PlanResult& result) {
                                 : std::to_string(count) + (count == 1 ? " thing that moves: " : " things that move: ") +
                                       fixed(scenario.clearance(), 3) +
                                       (count == 1 ? " m and its error kept" : " m and their errors kept");
+  const tern_host::NearestThing nearest = tern_host::nearest_thing(result.trajectory, scenario);
+  if (nearest.index >= 0) text += ", " + tern_host::nearest_thing_text(nearest, scenario);
   text += exceptions_of(result);
   if (report.waits > 0.0) text += ", waits " + fixed(report.waits, 2) + " s";
   const double slow = result.limits.v_max.x / scenario.limits.v_max.x;

@@ -7,7 +7,6 @@
 
 #include "host/closed_start.hpp"
 #include "host/number.hpp"
-#include "host/things/surface_distance.hpp"
 #include "host/track_sample.hpp"
 
 namespace tern_host {
@@ -40,22 +39,7 @@ bool grows_for_good(const Track& track) {
   return track.error_growth > 0.0 || track.error_speed > speed;
 }
 
-/// True if no point within the tolerance of the via is clear of the thing then. With a reach, what is clear of one of
-/// its two tubes is clear of it.
-bool covers(const Track& track, double time, const tern::Via& via, double clearance) {
-  Track curve = track;
-  curve.reach = 0.0;
-  const TrackSample on_curve = sample_of(curve, time);
-  const double since = time - seconds_of(track.measured);
-  const auto is_in = [&](const tern::Vec3& place, double error) {
-    return surface_distance(track, place, via.position) + via.tolerance < clearance + error;
-  };
-  if (!on_curve.is_there || !is_in(on_curve.place, on_curve.error)) return false;
-  return !(track.reach > 0.0) ||
-         is_in(sample_of(track, seconds_of(track.measured)).place, track.error + track.reach * since);
-}
-
-/// "; it covers via 1 then": the vias that are not clear of what was met, when it was met.
+/// "; it covers via 1 then": the vias within whose tolerance no point is clear of what was met, when it was met.
 std::string vias_text(const PlanResult& result, double time) {
   const Scenario& scenario = result.scenario;
   const tern::Report& report = result.report;
@@ -65,7 +49,8 @@ std::string vias_text(const PlanResult& result, double time) {
     const tern::Via& via = scenario.vias[v];
     bool is_covered = false;
     if (report.track >= 0) {
-      is_covered = covers(tracks[static_cast<std::size_t>(report.track)], time, via, scenario.clearance());
+      const Track& track = tracks[static_cast<std::size_t>(report.track)];
+      is_covered = tube_gap(track, time, via.position) + via.tolerance < scenario.clearance();
     } else {
       const FenceRecord& fence = scenario.fences[static_cast<std::size_t>(report.fence)];
       is_covered = fence.fence.kind == tern::FenceKind::kKeepOut &&

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/things/surface_distance.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -42,9 +44,11 @@ Vec3 way_of(const Track& track, double since) {
   return on_piece(track.pieces[track.piece_count - 1], 1.0);
 }
 
-}  // namespace
+Vec3 sum(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 
-TrackSample sample_of(const Track& track, double time) {
+TrackSample on_curve(const Track& track, double time) {
   const double since = time - 1e-9 * static_cast<double>(track.measured);
   const double known_for = 1e-9 * static_cast<double>(track.until - track.measured);
   const bool is_over = track.end != TrackEnd::kGoesOn && since > known_for;
@@ -52,15 +56,32 @@ TrackSample sample_of(const Track& track, double time) {
   sample.is_there = since >= 0.0 && !(is_over && track.end == TrackEnd::kGone);
   const double known = is_over ? known_for : since;
   const double growth = is_over && track.end == TrackEnd::kReach ? track.reach * (since - known) : 0.0;
-  const Vec3 way = way_of(track, known);
-  sample.place = {track.position.x + way.x, track.position.y + way.y, track.position.z + way.z};
+  sample.place = sum(track.position, way_of(track, known));
   sample.error = track.error + known * (track.error_speed + 0.5 * track.error_growth * known) + growth;
-  if (track.reach > 0.0 && track.error + track.reach * since < sample.error) {
-    const Vec3 first = way_of(track, 0.0);
-    sample.place = {track.position.x + first.x, track.position.y + first.y, track.position.z + first.z};
-    sample.error = track.error + track.reach * since;
-  }
   return sample;
+}
+
+/// Where it was measured, and how far it may have gone since.
+TrackSample within_reach(const Track& track, double time) {
+  const double since = time - 1e-9 * static_cast<double>(track.measured);
+  return {since >= 0.0, sum(track.position, way_of(track, 0.0)), track.error + track.reach * since};
+}
+
+}  // namespace
+
+TrackSample sample_of(const Track& track, double time) {
+  const TrackSample sample = on_curve(track, time);
+  if (!(track.reach > 0.0)) return sample;
+  TrackSample reached = within_reach(track, time);
+  reached.is_there = sample.is_there;
+  return reached.error < sample.error ? reached : sample;
+}
+
+double tube_gap(const Track& track, double time, const Vec3& point) {
+  const auto gap = [&](const TrackSample& at) { return surface_distance(track, at.place, point) - at.error; };
+  const TrackSample sample = on_curve(track, time);
+  if (!sample.is_there) return HUGE_VAL;
+  return track.reach > 0.0 ? std::fmax(gap(sample), gap(within_reach(track, time))) : gap(sample);
 }
 
 std::vector<Vec3> surface_of(const Track& track, const TrackSample& sample) {

@@ -22,6 +22,10 @@ struct TrackSample {
 /// `time`: s of the clock that the track is on.
 TrackSample sample_of(const tern::Track& track, double time);
 
+/// How far a point is outside of a thing's tube, m; negative inside. With a reach, what is outside of one of its two
+/// tubes is outside. Infinite while the thing is not there.
+double tube_gap(const tern::Track& track, double time, const tern::Vec3& point);
+
 /// Points on the surface of the shape about a place, grown by the error: its corners, or points on its rims or all
 /// round.
 std::vector<tern::Vec3> surface_of(const tern::Track& track, const TrackSample& sample);

@@ -7,7 +7,7 @@ const PLOTS = [
   ["velocity", "m/s", "v", "v", "axis limit"],
   ["acceleration", "m/s²", "a", "a", "axis limit"],
   ["jerk", "m/s³", "j", "j", "axis limit"],
-  ["clearance", "m", "clearance", "radius", "radius"],
+  ["clearance from obstacles", "m", "clearance", "radius", "radius"],
   ["work per tick", "units", "work", "work", "limit"],
 ];
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/figures.hpp"
+#include "host/nearest_thing.hpp"
 #include "host/number.hpp"
 #include "host/page/page.hpp"
 #include "host/page/run_json.hpp"
@@ -147,7 +148,10 @@ RunJson facts_json(const PlanResult& result) {
   const Figures figures = measure(result.trajectory, result.scenario);
   add("duration", fixed(figures.duration, 2) + " s");
   add("length", fixed(figures.length, 2) + " m");
-  if (std::isfinite(figures.clearance)) add("least clearance", fixed(figures.clearance, 3) + " m");
+  std::string clear = std::isfinite(figures.clearance) ? fixed(figures.clearance, 3) + " m from blocks" : "";
+  const std::string moving = nearest_thing_text(nearest_thing(result.trajectory, result.scenario), result.scenario);
+  if (!clear.empty() && !moving.empty()) clear += "; ";
+  if (!(clear + moving).empty()) add("least clearance", clear + moving);
   add("highest speed", fixed(figures.speed, 2) + " m/s");
   add("limits used",
       fixed(100.0 * figures.v_use, 0) + " % of velocity, " + fixed(100.0 * figures.a_use, 0) + " % of acceleration");

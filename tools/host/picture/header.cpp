@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host/nearest_thing.hpp"
 #include "host/number.hpp"
 #include "host/picture/layout.hpp"
 #include "host/picture/legend.hpp"
@@ -63,16 +64,25 @@ std::string percent(double part) {
   return fixed(100.0 * part, 1) + " %";
 }
 
+/// From the blocks, and from what moves if there is anything.
+std::vector<KeyFigure> clearances(const PlanResult& result, const Figures& figures) {
+  const std::string blocks = clearance_text(figures.clearance, !result.scenario.fences.empty());
+  const NearestThing moving = nearest_thing(result.trajectory, result.scenario);
+  if (moving.index < 0) return {{"least clearance", blocks}};
+  return {{"clear of blocks", blocks}, {"clear of things", fixed(moving.gap, 3) + " m"}};
+}
+
 std::vector<KeyFigure> key_figures(const PlanResult& result, const Figures& figures) {
   const double us = result.timing.total();
-  return {{"duration", fixed(figures.duration, 2) + " s"},
-          {"length", fixed(figures.length, 2) + " m"},
-          {"segments", std::to_string(result.trajectory.count)},
-          {"velocity limit used", percent(figures.v_use)},
-          {"acceleration limit used", percent(figures.a_use)},
-          {"least clearance", clearance_text(figures.clearance, !result.scenario.fences.empty())},
-          {"snap cost", fixed(figures.snap, figures.snap < 100.0 ? 1 : 0)},
-          {"computed in", us < 10000.0 ? fixed(us, 0) + " \u00b5s" : fixed(us / 1000.0, 1) + " ms"}};
+  std::vector<KeyFigure> all{{"duration", fixed(figures.duration, 2) + " s"},
+                             {"length", fixed(figures.length, 2) + " m"},
+                             {"segments", std::to_string(result.trajectory.count)},
+                             {"velocity limit used", percent(figures.v_use)},
+                             {"acceleration limit used", percent(figures.a_use)}};
+  for (const KeyFigure& clearance : clearances(result, figures)) all.push_back(clearance);
+  all.push_back({"snap cost", fixed(figures.snap, figures.snap < 100.0 ? 1 : 0)});
+  all.push_back({"computed in", us < 10000.0 ? fixed(us, 0) + " \u00b5s" : fixed(us / 1000.0, 1) + " ms"});
+  return all;
 }
 
 double width_of(const KeyFigure& figure) {
