@@ -265,6 +265,14 @@ TEST(PlanFile, FindingsInWords) {
   EXPECT_EQ(clause(tern::Finding::kOutside, -1, 1),
             "segment 3 is outside the boundary on the y axis from 0 s on, by 0.5 m");
   EXPECT_EQ(clause(tern::Finding::kMalformed, -1, -1), "segment 3 is malformed");
+  tern::ProofReport met;
+  met.finding = tern::Finding::kTrack;
+  met.segment = 3;
+  met.track = 0;
+  tern_host::TrackRecord man;
+  man.id = "man";
+  EXPECT_EQ(tern_host::describe_finding(met), "segment 3 is too near to track 1 from 0 s on, by 0 m");
+  EXPECT_EQ(tern_host::describe_finding(met, {}, {man}), "segment 3 is too near to man from 0 s on, by 0 m");
   EXPECT_EQ(tern_host::describe_finding({}), "");
 }
 

@@ -92,7 +92,11 @@ TEST(TrackRecord, SaysWhatIsWrong) {
   expect_error("track a ball 1 at 1 2 3 from 6 until 5 gone\n", "ends before");
   expect_error("track a ball 1 at 1 2 3 from 1e11\n", "too far away");
   expect_error("track a ball 1\n", "needs either");
-  expect_error("track a ball 1 at 1 2 3 plan b.json\n", "needs either");
+  expect_error("track a ball 1 at 1 2 3 plan b.json\n", "needs either 'at', pieces or a 'plan', and has more than one");
+  expect_error("track a ball 1 error 0.1 plan b.json\n", "'plan' is not a number: it stands where e1, the second of");
+  expect_error("track a ball 1 at 1 2 3 until 6\n", "where what holds after 'until' ('gone', 'stays' or 'reach') is");
+  expect_error("track a ball 1 at 1 2 3 until 6 error 1 1 1\n", "'gone', 'stays' or 'reach'; found 'error'");
+  expect_error("track a ball 1 at 1 2 3 speed 6\n", "'speed' of a track, which takes at, velocity, error");
   expect_error("track a ball 1 at 1e13 2 3\n", "track");
   expect_error("track_piece a 1 2 3\n", "24 numbers");
   expect_error(piece("a", 1.0, 2.0), "no 'track'");
@@ -123,8 +127,28 @@ TEST(TrackRecord, APlanFileIsATrack) {
   EXPECT_EQ(scenario.tracks[0].track.position.x, first.trajectory.origin.x);
   const tern_host::PlanResult second = session.plan(scenario);
   EXPECT_EQ(second.report.status, tern::Status::kOk);
-  std::ofstream(folder + "first.json") << "{}";
-  EXPECT_THROW(tern_host::read_scenario(folder + "second.txt"), tern_host::ScenarioError);
+}
+
+/// The place is that of the record, whatever is wrong with the file.
+TEST(TrackRecord, NamesThePlaceOfAPlanThatIsNone) {
+  const std::string folder = testing::TempDir();
+  std::ofstream(folder + "to_none.txt") << "boundary 0 0 0 12 8 3\nstart 11 4 1.5\ngoal 1 4 1.5\n"
+                                           "track first ball 0.3 plan none.json\n";
+  const auto reason = [&] {
+    try {
+      tern_host::read_scenario(folder + "to_none.txt");
+    } catch (const tern_host::ScenarioError& error) {
+      EXPECT_EQ(error.place().line, 4);
+      return error.reason();
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(reason().find("the plan of track 'first': " + folder + "none.json: cannot be opened"), 0u) << reason();
+  std::ofstream(folder + "none.json") << R"({"status": "no_path"})";
+  EXPECT_EQ(reason(), "'none.json' has no plan: its 'status' is 'no_path'");
+  std::ofstream(folder + "none.json") << "{}";
+  EXPECT_NE(reason().find("is no plan file"), std::string::npos);
+  std::remove((folder + "none.json").c_str());
 }
 
 /// What is in the way for good, and what covers the goal for a while.

@@ -269,6 +269,9 @@ TEST(Scenarios, WhatIsWrongIsNamedWithItsLine) {
   };
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\nblok 1\n"), "s.txt:2: unknown record 'blok'");
   EXPECT_EQ(message("boundary 0 0 0 1 1 x\n"), "s.txt:1: 'x' is no number");
+  EXPECT_EQ(message("track a ball 1 error 0.1 plan b\n"), "s.txt:1: 'plan' is no number, as 'error' needs");
+  EXPECT_EQ(message("track a ball 1 until 6\n"), "s.txt:1: the record ends where something of 'until' is missing");
+  EXPECT_EQ(message("track a ball 1 plan none.json\n"), "s.txt:1: the plan of track 'a': none.json: cannot be opened");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\nstart 0 0 0\n"), "s.txt: there is no 'goal'");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\ncloud none.pcd\n"), "none.pcd: cannot be opened");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\ncloud a b\n"), "s.txt:2: 'cloud' needs the name of a file");

@@ -50,6 +50,12 @@ std::string obstacle_text(const ProofReport& check) {
          std::to_string(voxel.y) + ", " + std::to_string(voxel.z) + ")" + time_text(check) + excess_text(check);
 }
 
+/// Its number, or its name if there are names.
+std::string track_text(const ProofReport& check, const std::vector<TrackRecord>& tracks) {
+  const auto index = static_cast<std::size_t>(check.track);
+  return index < tracks.size() ? tracks[index].id : asked_number("track", check.track);
+}
+
 std::string motion_text(const ProofReport& check, const char* fault) {
   return derivative_name(check.derivative) + " of " + number_of("segment", check.segment) + axis_text(check.axis) +
          " " + fault + excess_text(check);
@@ -57,7 +63,8 @@ std::string motion_text(const ProofReport& check, const char* fault) {
 
 }  // namespace
 
-std::string describe_finding(const ProofReport& check, const std::vector<FenceRecord>& fences) {
+std::string describe_finding(const ProofReport& check, const std::vector<FenceRecord>& fences,
+                             const std::vector<TrackRecord>& tracks) {
   switch (check.finding) {
     case Finding::kMalformed:
       return check.segment < 0 ? "the plan has no segments, or too many" : segment_text(check) + " is malformed";
@@ -85,7 +92,7 @@ std::string describe_finding(const ProofReport& check, const std::vector<FenceRe
       return derivative_name(check.derivative) + " at " + asked_number("via", check.via) +
              " is not what was asked for" + excess_text(check);
     case Finding::kTrack:
-      return segment_text(check) + " is too near to " + asked_number("track", check.track) + time_text(check) +
+      return segment_text(check) + " is too near to " + track_text(check, tracks) + time_text(check) +
              excess_text(check);
     case Finding::kNone:
       break;

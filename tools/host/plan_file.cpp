@@ -194,7 +194,7 @@ void add_tracks(const PlanResult& result, Json& plan) {
 std::string finding_text(const PlanResult& result) {
   const tern::ProofReport& check = result.report.check;
   if (check.finding == tern::Finding::kNone) return "";
-  return "; the check found: " + describe_finding(check, result.scenario.fences);
+  return "; the check found: " + describe_finding(check, result.scenario.fences, result.scenario.tracks);
 }
 
 std::string fence_text(const PlanResult& result) {

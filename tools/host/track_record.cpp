@@ -22,7 +22,7 @@ using tern::Vec3;
 
 void read_end(WordQueue& queue, const Place& place, Track& track) {
   track.until = queue.nanoseconds("the time of 'until'");
-  const std::string end = queue.word("what follows");
+  const std::string end = queue.word("what holds after 'until' ('gone', 'stays' or 'reach')");
   if (end == "gone") {
     track.end = TrackEnd::kGone;
   } else if (end == "stays") {
@@ -30,21 +30,22 @@ void read_end(WordQueue& queue, const Place& place, Track& track) {
   } else if (end == "reach") {
     track.end = TrackEnd::kReach;
   } else {
-    throw RecordError(place, "after 'until', a track is 'gone', 'stays' or has its 'reach', found " + quote(end));
+    throw RecordError(
+        place, "after the time of 'until' comes what holds then: 'gone', 'stays' or 'reach'; found " + quote(end));
   }
 }
 
 void read_word(const std::string& word, WordQueue& queue, const Place& place, TrackRecord& record) {
   Track& track = record.track;
   if (word == "at") {
-    track.position = queue.vector("its place");
+    track.position = queue.vector("its place, three numbers after 'at',");
     record.has_place = true;
   } else if (word == "velocity") {
-    track.velocity = queue.vector("its velocity");
+    track.velocity = queue.vector("its velocity, three numbers,");
   } else if (word == "error") {
-    track.error = queue.size("the error");
-    track.error_speed = queue.size("the error");
-    track.error_growth = queue.size("the error");
+    track.error = queue.size("e0, the first of the three numbers of 'error',");
+    track.error_speed = queue.size("e1, the second of the three numbers of 'error',");
+    track.error_growth = queue.size("e2, the third of the three numbers of 'error',");
   } else if (word == "reach") {
     track.reach = queue.size("its reach");
   } else if (word == "from") {
@@ -55,7 +56,8 @@ void read_word(const std::string& word, WordQueue& queue, const Place& place, Tr
   } else if (word == "plan") {
     record.plan = queue.word("the file of its plan");
   } else {
-    throw RecordError(place, "unknown word " + quote(word) + " of a track");
+    throw RecordError(place, "unknown word " + quote(word) +
+                                 " of a track, which takes at, velocity, error, reach, from, until and plan");
   }
 }
 
@@ -66,8 +68,21 @@ TrackRecord* find_track(const std::string& id, std::vector<TrackRecord>& tracks)
   return nullptr;
 }
 
+/// The text of a file that a record names.
+std::string read_named(const std::string& path, const TrackRecord& record) {
+  try {
+    return read_text(path);
+  } catch (const RecordError& error) {
+    throw RecordError(record.place, "the plan of track " + quote(record.id) + ": " + error.what());
+  }
+}
+
 /// A plan's segments, relative to its origin.
 void read_plan(const nlohmann::json& plan, TrackRecord& record) {
+  const std::string status = plan.value("status", "ok");
+  if (status != "ok") {
+    throw RecordError(record.place, quote(record.plan) + " has no plan: its 'status' is " + quote(status));
+  }
   const auto point = [](const nlohmann::json& v) {
     return Vec3{v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
   };
@@ -202,6 +217,18 @@ TrackRecord read_timed_keepout(const Words& words, const FenceEnd& end, const st
   return record;
 }
 
+namespace {
+
+/// What says where the thing is: one of three.
+void check_curve(const TrackRecord& record) {
+  const int curves = (record.has_place ? 1 : 0) + (record.pieces.empty() ? 0 : 1) + (record.plan.empty() ? 0 : 1);
+  if (curves == 1) return;
+  throw RecordError(record.place, "track " + quote(record.id) + " needs either 'at', pieces or a 'plan'" +
+                                      (curves == 0 ? "" : ", and has more than one of them"));
+}
+
+}  // namespace
+
 void complete_tracks(double start, std::vector<TrackRecord>& tracks) {
   std::size_t pieces = 0;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
@@ -213,10 +240,7 @@ void complete_tracks(double start, std::vector<TrackRecord>& tracks) {
       throw RecordError(record.place, "track " + quote(record.id) + " is given twice");
     }
     if (!record.has_from) record.track.measured = nanoseconds(start);
-    const int curves = (record.has_place ? 1 : 0) + (record.pieces.empty() ? 0 : 1) + (record.plan.empty() ? 0 : 1);
-    if (curves != 1) {
-      throw RecordError(record.place, "track " + quote(record.id) + " needs either 'at', pieces or a 'plan'");
-    }
+    check_curve(record);
     record.track.id = static_cast<std::uint32_t>(i);
     pieces += record.pieces.size();
     if (pieces > std::size_t{tern::kMaxTrackPieces}) {
@@ -231,11 +255,11 @@ void load_plans(const std::string& folder, const EarthFrame& earth, std::vector<
     if (record.plan.empty()) continue;
     const std::string path = folder + record.plan;
     try {
-      const nlohmann::json plan = nlohmann::json::parse(read_text(path));
+      const nlohmann::json plan = nlohmann::json::parse(read_named(path, record));
       check_frame(plan, earth, path, record.place);
       read_plan(plan, record);
     } catch (const nlohmann::json::exception&) {
-      throw RecordError(record.place, quote(path) + " is no plan file with a plan");
+      throw RecordError(record.place, quote(path) + " is no plan file as `tern plan --json` writes it");
     }
     check_track(record);
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "host/number.hpp"
 #include "host/text_records.hpp"
 #include "tern/vec3.hpp"
 
@@ -28,7 +29,14 @@ class WordQueue {
     if (empty()) refuse(quote(record()) + " ends where " + what + " is missing");
     return words_[next_++];
   }
-  double value(const char* what) { return number(word(what), place_); }
+  double value(const char* what) {
+    const std::string& found = word(what);
+    double value = 0.0;
+    if (parse_number(found, value) == NumberError::kMalformed) {
+      refuse(quote(found) + " is not a number: it stands where " + what + " belongs");
+    }
+    return number(found, place_);
+  }
   double size(const char* what) {
     const double found = value(what);
     if (!(found >= 0.0)) refuse(std::string(what) + " must not be less than 0");

@@ -15,15 +15,16 @@ namespace {
 struct Reader {
   const Record& record;
   std::size_t next = 1;
+  std::string of = "track";  ///< the last keyword, for messages
 
   bool empty() const { return next >= record.words.size(); }
   const std::string& word() {
-    if (empty()) record.refuse("the record ends too early");
+    if (empty()) record.refuse("the record ends where something of '" + of + "' is missing");
     return record.words[next++];
   }
   Rational number() {
     const std::size_t at = next;
-    word();
+    if (!is_number(word())) record.refuse("'" + record.words[at] + "' is no number, as '" + of + "' needs");
     return Record{record.file, record.line, {record.words[at]}}.numbers(0).front();
   }
   Rational size() {
@@ -59,13 +60,20 @@ void read_shape(Reader& reader, Thing& thing) {
 void read_end(Reader& reader, Thing& thing) {
   thing.until = whole_nanoseconds(reader.number());
   const std::string end = reader.word();
-  if (end != "gone" && end != "stays" && end != "reach") reader.record.refuse("unknown end '" + end + "'");
+  if (end != "gone" && end != "stays" && end != "reach") {
+    reader.record.refuse("'" + end + "' is not 'gone', 'stays' or 'reach', one of which follows the time of 'until'");
+  }
   thing.end = end == "gone" ? ThingEnd::kGone : end == "stays" ? ThingEnd::kStays : ThingEnd::kReach;
 }
 
 void read_plan(const Record& record, const std::string& file, Thing& thing) {
   const std::string path = (std::filesystem::path(record.file).parent_path() / file).string();
-  const Plan plan = parse_plan(read_file(path), path);
+  Plan plan;
+  try {
+    plan = parse_plan(read_file(path), path);
+  } catch (const InputError& error) {
+    record.refuse("the plan of track '" + thing.name + "': " + error.what());
+  }
   for (const Segment& segment : plan.segments) {
     thing.pieces.push_back({segment.points, segment.duration});
     for (Point& point : thing.pieces.back().points) point = point + plan.origin;
@@ -73,7 +81,7 @@ void read_plan(const Record& record, const std::string& file, Thing& thing) {
 }
 
 void read_word(Reader& reader, Thing& thing) {
-  const std::string word = reader.word();
+  const std::string word = reader.of = reader.word();
   if (word == "at") {
     thing.position = reader.point();
   } else if (word == "velocity") {
