@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "host/page/page.hpp"
 #include "host/picture/picture.hpp"
 #include "host/scenario.hpp"
 #include "host/session.hpp"
+#include "tern/track_class.hpp"
 
 namespace {
 
@@ -97,6 +99,19 @@ TEST(TrackSample, Surfaces) {
   track.half = {0.5, 1.0, 2.0};
   EXPECT_EQ(surface_of(track, sample).size(), 8u);
   EXPECT_DOUBLE_EQ(surface_of(track, sample).back().y, 2.5);
+}
+
+/// The table of docs/tracks.md: what a thing of a class may be off 1, 2, 4 and 8 s after a measurement without error.
+TEST(TrackSample, ClassesGrowAsThePageSays) {
+  constexpr double kTimes[] = {1.0, 2.0, 4.0, 8.0};
+  constexpr double kOff[][4] = {{1.5, 6, 12, 24},   {3, 12, 48, 100},   {4.5, 18, 72, 160}, {4, 16, 64, 224},
+                                {7.5, 30, 92, 184}, {5.5, 22, 80, 160}, {8.5, 34, 136, 544}};
+  static_assert(std::size(kOff) == tern::kTrackClasses);
+  for (std::size_t c = 0; c < std::size(kOff); ++c) {
+    tern::Track track;
+    ASSERT_EQ(tern::track_of_class(static_cast<tern::TrackClass>(c), track), tern::Status::kOk);
+    for (std::size_t k = 0; k < std::size(kTimes); ++k) EXPECT_DOUBLE_EQ(sample_of(track, kTimes[k]).error, kOff[c][k]);
+  }
 }
 
 int count_of(const std::string& text, const std::string& part) {

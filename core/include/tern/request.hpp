@@ -114,7 +114,8 @@ enum class SearchMode : uint8_t {
 };
 
 /// What to do if no plan can lead to the goal: it is occupied or fenced, or no chain of free voxels leads to it. Any
-/// other number is refused (kInvalidArgument, field kGoalMode).
+/// other number is refused (kInvalidArgument, field kGoalMode). A goal that a thing that moves or a fence for a while
+/// covers is none of these: kGoalCovered in both modes.
 enum class GoalMode : uint8_t {
   /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. Report::reachable says how near the robot could come.
   kExact = 0,
