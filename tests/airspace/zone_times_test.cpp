@@ -120,6 +120,17 @@ TEST(ZoneTimes, SpansThatTouchAreOne) {
   EXPECT_EQ(instant_text(spans[1].until), "2200-01-01T00:00:00Z");
 }
 
+TEST(ZoneTimes, SpansInWords) {
+  const Applicability open;
+  const auto always = tern_host::spans_of({open}, {at("2026-03-02T00:00:00Z"), at("2026-03-03T00:00:00Z")}, {});
+  ASSERT_EQ(always.size(), 1u);
+  EXPECT_EQ(tern_host::span_text(always[0]), "always");
+  const auto nine = at("2026-03-02T09:00:00Z"), ten = at("2026-03-02T10:00:00Z");
+  EXPECT_EQ(tern_host::span_text({nine, ten}), "2026-03-02T09:00:00Z to 2026-03-02T10:00:00Z");
+  EXPECT_EQ(tern_host::span_text({nine, always[0].until}), "from 2026-03-02T09:00:00Z on");
+  EXPECT_EQ(tern_host::span_text({always[0].from, ten}), "until 2026-03-02T10:00:00Z");
+}
+
 TEST(ZoneTimes, RefusesAnEndBeforeTheBeginning) {
   Applicability when;
   when.from = at("2026-03-02T09:00:00Z");

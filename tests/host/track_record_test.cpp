@@ -169,6 +169,10 @@ TEST(TrackRecord, PlanFilesSayWhatIsInTheWay) {
                 "start is in it: it is free at 12.500 s of the clock. Begin then (start_time 12.5), or elsewhere"),
       std::string::npos)
       << lake;
+  const std::string open = tern_host::plan_json(session.plan(parse("keepout 5 0 0 6 8 3 during 1 1e9\n")));
+  EXPECT_NE(open.find("; it is closed without end: choose another start or goal, or leave it out if you may fly there"),
+            std::string::npos)
+      << open;
   const std::string closed = tern_host::plan_json(session.plan(parse("keepin 0 0 0 5 8 3 during -1 500\n")));
   EXPECT_NE(closed.find("\"fence\": 0"), std::string::npos);
 }

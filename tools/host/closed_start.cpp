@@ -14,6 +14,9 @@ namespace {
 
 using tern::Vec3;
 
+/// s: what is closed for longer, by `tern airspace`, has no end.
+constexpr double kNoEnd = 1e9;
+
 /// A keep-out for a while: s of the scenario's clock, and how far the start is outside it, metres.
 struct Closed {
   double from;
@@ -84,7 +87,7 @@ double whole_milliseconds(double time) {
 std::string clock_text(const Scenario& scenario, double time) {
   const double ms = whole_milliseconds(time);
   const std::string text = fixed(ms / 1e3, 3) + " s of the clock";
-  if (scenario.earth.epoch.empty() || !(std::fabs(time) < 1e9)) return text;
+  if (scenario.earth.epoch.empty() || !(std::fabs(time) < kNoEnd)) return text;
   const Instant at = *parse_instant(scenario.earth.epoch) + static_cast<Instant>(ms) * (kSecond / 1000);
   return text + " (" + instant_text(at) + ")";
 }
@@ -93,6 +96,8 @@ std::string describe_closed_start(const PlanResult& result) {
   const Scenario& scenario = result.scenario;
   const std::optional<Closed> met = closed_of(result);
   if (!met) return "";
+  if (met->until >= kNoEnd)
+    return "; it is closed without end: choose another start or goal, or leave it out if you may fly there";
   std::string text = "; it is closed until " + clock_text(scenario, met->until);
   const double free = start_is_free_at(scenario);
   if (!(free > scenario.start_time)) {

@@ -24,8 +24,7 @@ std::string times_text(const AirspaceEntry& entry) {
   if (entry.zone.times.empty()) return "always";
   if (entry.spans.empty()) return "not then";
   const std::string more = entry.spans.size() > 1 ? " +" + std::to_string(entry.spans.size() - 1) : "";
-  const std::string from = instant_text(entry.spans[0].from), until = instant_text(entry.spans[0].until);
-  return from + " to " + until + more;
+  return span_text(entry.spans[0]) + more;
 }
 
 std::string area_text(double square_metres) {

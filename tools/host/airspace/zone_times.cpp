@@ -68,4 +68,10 @@ std::vector<TimeSpan> spans_of(const std::vector<Applicability>& applicability, 
   return out;
 }
 
+std::string span_text(const TimeSpan& span) {
+  const bool begins = span.from > kFirstInstant, ends = span.until < kLastInstant;
+  if (!begins) return ends ? "until " + instant_text(span.until) : "always";
+  return ends ? instant_text(span.from) + " to " + instant_text(span.until) : "from " + instant_text(span.from) + " on";
+}
+
 }  // namespace tern_host

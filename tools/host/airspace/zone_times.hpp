@@ -48,6 +48,10 @@ struct Applicability {
 std::vector<TimeSpan> spans_of(const std::vector<Applicability>& applicability, const TimeSpan& horizon,
                                const DayEvents& events);
 
+/// "2026-03-02T09:00:00Z to 2026-03-02T10:00:00Z"; "from … on", "until …" or "always" of a span that begins with 1900
+/// or ends with 2200, as spans without a beginning or an end do.
+std::string span_text(const TimeSpan& span);
+
 }  // namespace tern_host
 
 #endif

@@ -20,10 +20,6 @@ std::string outline_text(const ZoneArea& area) {
   return "polygon of " + std::to_string(area.ring.size()) + " corners from " + place_text(area.ring[0]);
 }
 
-std::string span_text(const TimeSpan& span) {
-  return instant_text(span.from) + " to " + instant_text(span.until);
-}
-
 std::string height_text(double low, double high) {
   if (std::isinf(low) && std::isinf(high)) return "all heights";
   if (std::isinf(low)) return "up to " + fixed(high, 1) + " m";
