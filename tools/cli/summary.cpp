@@ -76,7 +76,7 @@ std::string clearance_line(double clearance, const PlanResult& result) {
   const tern_host::NearestFence nearest = tern_host::nearest_fence(result.trajectory, scenario);
   if (nearest.index >= 0) {
     const std::string& zone = scenario.fences[static_cast<std::size_t>(nearest.index)].zone;
-    text += ", nearest " + (zone.empty() ? "number " + std::to_string(nearest.index + 1) : zone) + " at " +
+    text += ", nearest " + (zone.empty() ? "fence " + std::to_string(nearest.index + 1) : zone) + " at " +
             fixed(nearest.gap, 3) + " m";
   }
   if (scenario.tracking_margin > 0.0) text += ", tracking margin " + fixed(scenario.tracking_margin, 3) + " m";

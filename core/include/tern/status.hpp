@@ -99,13 +99,12 @@ enum class Status : uint8_t {
 
   /// The start is nearer to a moving thing than it should be, and no plan leads away. Report::track says which.
   kStartInContact = 43,
-  /// The goal is not clear of a moving thing when the plan arrives, or for Request::rest_clear seconds from then on,
-  /// and
-  /// waiting did not help. Report::track says which, Report::conflict when.
+  /// The goal is not clear of a moving thing when the plan arrives, or for Request::rest_clear seconds from then on.
+  /// Waiting did not help. Report::track says which, Report::conflict when.
   kGoalCovered = 44,
   /// There is a way, but no plan along it that is clear of all moving things was found. Report::track and
-  /// Report::conflict say what the first plan meets, and when. Keep the plan that you have, wait, or choose another
-  /// goal.
+  /// Report::conflict say what the first plan meets, and when. Keep the plan that you have, or choose another goal.
+  /// Unless that thing stays there for good, you may also wait and ask again.
   kNoClearTime = 45,
 
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
