@@ -234,7 +234,7 @@ double find_way(const Vec3& start, const Vec3& goal, tern::Grid& grid, tern::Pla
   const tern_host::Clock clock = tern_host::platform_clock();
   const std::uint64_t begin = clock.read(clock.context);
   double spent = 0.0;
-  for (; far.state() == tern::FarState::kSearching; spent += 100.0) far.tick(start, false, {}, 0, 100);
+  for (; far.state() == tern::FarState::kSearching; spent += 100.0) far.tick(start, {}, {}, 0, 100);
   least = std::min(least, milliseconds_since(begin));
   return spent;
 }

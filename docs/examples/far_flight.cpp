@@ -56,8 +56,7 @@ int main() {
     most = std::fmax(most, std::fabs(place.y));
     const bool rests = report.mode == tern::FlightMode::kRest && report.reason > tern::FlightReason::kNoGoal;
     if (rests && far.is_last()) break;
-    const bool gave_up = rests && report.reason != tern::FlightReason::kArrived;
-    if (far.tick(place, gave_up, map, now, 1000)) flight.set_goal(far.near_goal());
+    if (far.tick(place, report, map, now, 1000)) flight.set_goal(far.near_goal());
     flight.tick(now, report);
   }
   return report.reason == tern::FlightReason::kArrived && most > 40.0 ? 0 : 1;

@@ -50,12 +50,13 @@ TEST(FarWayC, GivesTheSameNearGoals) {
   tern::FarWay way;
   ASSERT_EQ(way.start(kAhead, grid, planner), tern::Status::kOk);
   ASSERT_EQ(way.set_goal(goal), tern::Status::kOk);
+  const tern_flight_report report{};
   tern_vec3 at{10, 10, 6};
   int told = 0;
   for (int k = 0; k < 100 && (told == 0 || !tern_far_way_is_last(&far_way)); ++k) {
     tern_vec3 near_goal{};
-    const bool is_new = tern_far_way_tick(&far_way, &at, false, &c.map, k, 100000, &near_goal);
-    ASSERT_EQ(is_new, way.tick(at, false, tern::RollingMap{}, k, 100000));
+    const bool is_new = tern_far_way_tick(&far_way, &at, &report, &c.map, k, 100000, &near_goal);
+    ASSERT_EQ(is_new, way.tick(at, report, tern::RollingMap{}, k, 100000));
     EXPECT_EQ(tern_far_way_state(&far_way), static_cast<std::uint8_t>(way.state()));
     EXPECT_EQ(tern_far_way_left(&far_way), way.left());
     if (!is_new) continue;
@@ -75,8 +76,9 @@ TEST(FarWayC, AnswersWhatIsWrong) {
   tern_far_way far_way{};
   const tern_vec3 goal{90, 10, 6};
   tern_vec3 near_goal{1, 2, 3};
+  const tern_flight_report report{};
   EXPECT_EQ(tern_far_way_set_goal(&far_way, &goal), kRefused);
-  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, false, &c.map, 0, 1000, &near_goal));
+  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, &report, &c.map, 0, 1000, &near_goal));
   EXPECT_TRUE(tern_far_way_is_last(&far_way));
   EXPECT_EQ(tern_far_way_state(&far_way), TERN_FAR_NO_GOAL);
   EXPECT_EQ(tern_far_way_left(nullptr), 0.0);
@@ -96,9 +98,10 @@ TEST(FarWayC, AnswersWhatIsWrong) {
   const tern_vec3 nowhere{std::numeric_limits<double>::infinity(), 0, 0};
   EXPECT_EQ(tern_far_way_set_goal(&far_way, &nowhere), kNotFinite);
   ASSERT_EQ(tern_far_way_set_goal(&far_way, &goal), kDone);
-  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, false, &c.map, 0, 1000, nullptr));
-  EXPECT_FALSE(tern_far_way_tick(&far_way, nullptr, false, &c.map, 0, 1000, &near_goal));
-  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, false, nullptr, 0, 1000, &near_goal));
+  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, &report, &c.map, 0, 1000, nullptr));
+  EXPECT_FALSE(tern_far_way_tick(&far_way, nullptr, &report, &c.map, 0, 1000, &near_goal));
+  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, nullptr, &c.map, 0, 1000, &near_goal));
+  EXPECT_FALSE(tern_far_way_tick(&far_way, &goal, &report, nullptr, 0, 1000, &near_goal));
   EXPECT_EQ(near_goal.x, 1.0);
 }
 

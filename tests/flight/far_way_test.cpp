@@ -258,13 +258,13 @@ TEST(FarWay, Refuses) {
   EXPECT_EQ(far.start({40.0, 0}, world.coarse.grid, world.planner), Status::kInvalidArgument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(far.start({nan}, world.coarse.grid, world.planner), Status::kNonFiniteInput);
-  EXPECT_FALSE(far.tick({1.0, 1.0, 1.0}, false, world.seen.map, 0, kMuch));
+  EXPECT_FALSE(far.tick({1.0, 1.0, 1.0}, {}, world.seen.map, 0, kMuch));
   ASSERT_EQ(far.start({40.0}, world.coarse.grid, world.planner), Status::kOk);
   EXPECT_EQ(far.set_goal({nan, 1.0, 1.0}), Status::kNonFiniteInput);
   EXPECT_EQ(far.state(), FarState::kNoGoal);
   ASSERT_EQ(far.set_goal({20.0, 1.0, 1.0}), Status::kOk);
-  EXPECT_FALSE(far.tick({nan, 1.0, 1.0}, false, world.seen.map, 0, kMuch));
-  EXPECT_TRUE(far.tick({1.0, 1.0, 1.0}, false, world.seen.map, 0, kMuch));
+  EXPECT_FALSE(far.tick({nan, 1.0, 1.0}, {}, world.seen.map, 0, kMuch));
+  EXPECT_TRUE(far.tick({1.0, 1.0, 1.0}, {}, world.seen.map, 0, kMuch));
 }
 
 /// 5 x 5 x 0.15 km in cells of 4 m: blocks of 60 m with streets of 20 m, from corner to corner.

@@ -38,7 +38,14 @@ struct FarWorld {
     ASSERT_EQ(far.set_goal(goal), tern::Status::kOk);
   }
   bool tick(const tern::Vec3& at, bool gave_up = false, std::uint32_t work = kMuch) {
-    return far.tick(at, gave_up, seen.map, time += kTick, work);
+    return tick(at, gave_up ? tern::FlightReason::kNoProgress : tern::FlightReason::kNone, work);
+  }
+  /// With a flight that rests for a reason.
+  bool tick(const tern::Vec3& at, tern::FlightReason reason, std::uint32_t work = kMuch) {
+    tern::FlightReport report{};
+    report.mode = tern::FlightMode::kRest;
+    report.reason = reason;
+    return far.tick(at, report, seen.map, time += kTick, work);
   }
   void find_way(const tern::Vec3& from) {
     for (int k = 0; k < 100000 && far.state() == tern::FarState::kSearching; ++k) tick(from);

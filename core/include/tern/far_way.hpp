@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "tern/flight_report.hpp"
 #include "tern/grid.hpp"
 #include "tern/map.hpp"
 #include "tern/planner.hpp"
@@ -57,10 +58,11 @@ class FarWay {
   /// Does one tick's work, at most `work` units and one piece of work more; nothing before an earlier piece is paid.
   /// Pieces: those of the search, a look along the way for a near goal, a look around for a free cell to begin in, a
   /// cell of the window, the walk to the cell ahead that is marked, and those of the inflation. Call it before each
-  /// Flight::tick(), with the vehicle's position, world frame; with whether the flight rests and has given up the near
-  /// goal; with the flight's map; and with the time of the tick. Arriving is not giving up: a flight that rests with
-  /// FlightReason::kArrived has not. Else a free cell may be marked. True: call Flight::set_goal(near_goal()) now.
-  bool tick(const Vec3& position, bool gave_up, const RollingMap& map, int64_t t, uint32_t work) noexcept;
+  /// Flight::tick(), with the vehicle's position, world frame; with the report of the last Flight::tick(), which says
+  /// whether the flight gave up the near goal (zeros before the first one); with the flight's map; and with the time of
+  /// the tick. True: call Flight::set_goal(near_goal()) now. It may be the same near goal as before: then the flight
+  /// gave up for a reason that may have passed.
+  bool tick(const Vec3& position, const FlightReport& flight, const RollingMap& map, int64_t t, uint32_t work) noexcept;
 
   /// Where the flight should fly now, world frame. The goal itself before the first way was found.
   const Vec3& near_goal() const noexcept { return near_goal_; }
@@ -90,11 +92,11 @@ class FarWay {
   bool search() noexcept;
   bool end_search() noexcept;
   bool lead_to_goal(FarState state) noexcept;
-  bool follow(bool gave_up, const RollingMap& map, int64_t t) noexcept;
+  bool follow(const FlightReport& flight, const RollingMap& map, int64_t t) noexcept;
   void get_on(int64_t t) noexcept;
   Point furthest_in_sight() noexcept;
   bool choose_near_goal() noexcept;
-  void begin_learning(bool gave_up, const RollingMap& map) noexcept;
+  void begin_learning(const RollingMap& map) noexcept;
   void mark(const Voxel& cell) noexcept;
   void learn(const RollingMap& map) noexcept;
   bool end_learning() noexcept;
@@ -130,8 +132,9 @@ class FarWay {
   int64_t since_ = 0;
 
   // What is learned of the near map.
-  bool gave_up_ = false;
-  Voxel begin_{};  ///< the coarse cells that the window meets, and the next one
+  bool gave_up_ = false;  ///< the flight gave up the near goal for good,
+  bool waits_ = false;    ///< or for a reason that may pass
+  Voxel begin_{};         ///< the coarse cells that the window meets, and the next one
   Voxel end_{};
   Voxel cell_{};
   int32_t found_ = 0;  ///< cells marked by this job

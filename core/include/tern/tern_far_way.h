@@ -8,7 +8,7 @@
 #ifndef TERN_TERN_FAR_WAY_H
 #define TERN_TERN_FAR_WAY_H
 
-#include "tern/tern_map.h"
+#include "tern/tern_flight.h"
 
 #ifdef __cplusplus
 #include "tern/far_way.hpp"
@@ -41,10 +41,11 @@ uint8_t tern_far_way_start(tern_far_way* far_way, const tern_far_way_spec* spec,
                            tern_planner* planner);
 /* Sets the goal, world frame. ok, non_finite_input or invalid_argument. */
 uint8_t tern_far_way_set_goal(tern_far_way* far_way, const tern_vec3* goal);
-/* Does one tick's work. A flight that rests with reason arrived has not given up. True: set the flight's goal to
- * `near_goal` now, which receives it, as whenever this answers true. False for null pointers, and before start. */
-bool tern_far_way_tick(tern_far_way* far_way, const tern_vec3* position, bool gave_up, const tern_map* map, int64_t t,
-                       uint32_t work, tern_vec3* near_goal);
+/* Does one tick's work. `report` is the last one of tern_flight_tick; zeros before the first. True: set the flight's
+ * goal to `near_goal` now, which receives it, as whenever this answers true. False for null pointers, and before start.
+ */
+bool tern_far_way_tick(tern_far_way* far_way, const tern_vec3* position, const tern_flight_report* report,
+                       const tern_map* map, int64_t t, uint32_t work, tern_vec3* near_goal);
 /* True if the near goal is the goal; and before start. */
 bool tern_far_way_is_last(const tern_far_way* far_way);
 /* TERN_FAR_...; TERN_FAR_NO_GOAL before start. */

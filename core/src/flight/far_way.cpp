@@ -55,13 +55,13 @@ Status FarWay::set_goal(const Vec3& goal) noexcept {
   return Status::kOk;
 }
 
-bool FarWay::tick(const Vec3& position, bool gave_up, const RollingMap& map, std::int64_t t,
+bool FarWay::tick(const Vec3& position, const FlightReport& flight, const RollingMap& map, std::int64_t t,
                   std::uint32_t work) noexcept {
   if (state_ == FarState::kNoGoal || !finite(position)) return false;
   position_ = position;
   if (work_.left()) work_ = Work{};
   work_.add(work);
-  if (job_ == Job::kFollow && work_.left() && follow(gave_up, map, t)) return true;
+  if (job_ == Job::kFollow && work_.left() && follow(flight, map, t)) return true;
   if (job_ == Job::kLearn) learn(map);
   if (job_ == Job::kLearn && cell_.z >= end_.z && work_.left() && end_learning()) return true;
   if (job_ == Job::kInflate) inflate();

@@ -62,11 +62,12 @@ std::uint8_t tern_far_way_set_goal(tern_far_way* far_way, const tern_vec3* goal)
   return answer(way == nullptr || goal == nullptr ? Status::kInvalidArgument : way->set_goal(*goal));
 }
 
-bool tern_far_way_tick(tern_far_way* far_way, const tern_vec3* position, bool gave_up, const tern_map* map,
-                       std::int64_t t, std::uint32_t work, tern_vec3* near_goal) {
+bool tern_far_way_tick(tern_far_way* far_way, const tern_vec3* position, const tern_flight_report* report,
+                       const tern_map* map, std::int64_t t, std::uint32_t work, tern_vec3* near_goal) {
   FarWay* const way = started(far_way);
-  if (way == nullptr || position == nullptr || map == nullptr || near_goal == nullptr) return false;
-  const bool is_new = way->tick(*position, gave_up, tern::object(map), t, work);
+  const bool has_all = way != nullptr && position != nullptr && report != nullptr && map != nullptr;
+  if (!has_all || near_goal == nullptr) return false;
+  const bool is_new = way->tick(*position, *report, tern::object(map), t, work);
   if (is_new) *near_goal = way->near_goal();
   return is_new;
 }

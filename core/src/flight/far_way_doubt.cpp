@@ -7,6 +7,7 @@
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "flight/far_cell.hpp"
+#include "flight/far_rest.hpp"
 #include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
 #include "tern/far_way.hpp"
@@ -27,21 +28,22 @@ std::uint64_t between(std::int64_t from, std::int64_t to) {
 }  // namespace
 
 /// True if the near goal is a new one.
-bool FarWay::follow(bool gave_up, const RollingMap& map, std::int64_t t) noexcept {
+bool FarWay::follow(const FlightReport& flight, const RollingMap& map, std::int64_t t) noexcept {
   if (state_ != FarState::kLeads) return false;
   get_on(t);
   if (choose_near_goal()) return true;
   const bool has_time = between(since_, t) < static_cast<std::uint64_t>(spec_.patience);
-  const bool is_stuck = gave_up && !is_last_;
-  const bool is_doubtful = is_stuck || (!has_time && left() > kAtEnd * coarse_->spec().cell);
+  const NearGoalEnd end = is_last_ ? NearGoalEnd::kNone : end_of_near_goal(flight);
+  gave_up_ = end == NearGoalEnd::kForGood;
+  waits_ = end == NearGoalEnd::kForNow;
+  const bool is_doubtful = gave_up_ || (!has_time && (waits_ || left() > kAtEnd * coarse_->spec().cell));
   if (!is_doubtful || !has_grid(map)) return false;
   since_ = t;
-  begin_learning(is_stuck, map);
+  begin_learning(map);
   return false;
 }
 
-void FarWay::begin_learning(bool gave_up, const RollingMap& map) noexcept {
-  gave_up_ = gave_up;
+void FarWay::begin_learning(const RollingMap& map) noexcept {
   found_ = 0;
   bool is_empty = false;
   for (int a = 0; a < 3; ++a) {
@@ -73,12 +75,13 @@ void FarWay::learn(const RollingMap& map) noexcept {
   }
 }
 
-/// True if nothing can be learned, and only the goal is left to fly to.
+/// True if nothing can be learned, and only the goal is left to fly to, or the near goal once more.
 bool FarWay::end_learning() noexcept {
   if (found_ == 0 && gave_up_) mark_ahead();
   piece_ = 0;
   job_ = found_ > 0 ? Job::kInflate : Job::kFollow;
-  return found_ == 0 && gave_up_ && lead_to_goal(FarState::kNoWay);
+  if (found_ == 0 && gave_up_) return lead_to_goal(FarState::kNoWay);
+  return found_ == 0 && waits_;
 }
 
 /// The vehicle has given up, and the near map does not say why: the first cell of the way that it is not in leads

@@ -75,8 +75,7 @@ FarGuide::FarGuide(const FlightWorld& world)
 
 bool FarGuide::tick(const tern::Vec3& position, const tern::FlightReport& report, const tern::RollingMap& map,
                     std::int64_t t) {
-  const bool gave_up = report.mode == tern::FlightMode::kRest && report.reason > tern::FlightReason::kArrived;
-  return far_.tick(position, gave_up, map, t, work_);
+  return far_.tick(position, report, map, t, work_);
 }
 
 }  // namespace tern_host
