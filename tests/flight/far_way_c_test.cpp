@@ -89,6 +89,8 @@ TEST(FarWayC, AnswersWhatIsWrong) {
   EXPECT_EQ(tern_far_way_start(&far_way, &none, &c.grid, &c.planner), kRefused);
   const tern_far_way_spec near{11.9, 1};
   EXPECT_EQ(tern_far_way_start(&far_way, &near, &c.grid, &c.planner), kRefused);
+  const tern_far_way_spec far{1024.1, 1};
+  EXPECT_EQ(tern_far_way_start(&far_way, &far, &c.grid, &c.planner), kRefused);
   EXPECT_EQ(tern_far_way_start(&far_way, &kAhead, &unbound, &c.planner), kRefused);
   EXPECT_EQ(tern_far_way_start(&far_way, &kAhead, &c.grid, nullptr), kRefused);
   EXPECT_EQ(tern_far_way_start(&far_way, nullptr, &c.grid, &c.planner), kRefused);

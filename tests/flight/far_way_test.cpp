@@ -255,6 +255,8 @@ TEST(FarWay, Refuses) {
   EXPECT_EQ(far.start({0.0}, world.coarse.grid, world.planner), Status::kInvalidArgument);
   EXPECT_EQ(far.start({11.99}, world.coarse.grid, world.planner), Status::kInvalidArgument);  // less than three cells
   EXPECT_EQ(FarWay{}.start({12.0}, world.coarse.grid, world.planner), Status::kOk);
+  EXPECT_EQ(FarWay{}.start({1024.0}, world.coarse.grid, world.planner), Status::kOk);
+  EXPECT_EQ(far.start({1024.01}, world.coarse.grid, world.planner), Status::kInvalidArgument);  // more than 256 cells
   EXPECT_EQ(far.start({40.0, 0}, world.coarse.grid, world.planner), Status::kInvalidArgument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(far.start({nan}, world.coarse.grid, world.planner), Status::kNonFiniteInput);

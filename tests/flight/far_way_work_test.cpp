@@ -67,6 +67,21 @@ TEST(FarWayWork, PaysForALongLook) {
   EXPECT_EQ(world.far.left(), then);
 }
 
+/// The longest look that there is, across all rows. One tick in which a flight does nothing else pays for it.
+TEST(FarWayWork, TheLongestLookTakesATick) {
+  if (tern::kMaxCells < 200 * 200 * 200) GTEST_SKIP() << "a smaller profile";
+  FarWorld world({200, 200, 200});
+  world.begin({798.0, 798.0, 798.0}, {tern::kMostAhead * tern_test::kCoarse});
+  world.find_way({2.0, 2.0, 2.0});
+  ASSERT_FALSE(world.far.is_last());
+  ASSERT_TRUE(world.tick({10.0, 10.0, 10.0}, false, 1));
+  const double left = world.far.left();
+  int unpaid = 0;
+  for (; unpaid < 100000 && world.far.left() == left; ++unpaid) world.tick({18.0, 18.0, 18.0}, false, 1);
+  EXPECT_GT(unpaid, 100);
+  EXPECT_LT(unpaid, 4000);
+}
+
 /// A way with more than a hundred legs, near its end: the legs behind the vehicle cost nothing.
 TEST(FarWayWork, LegsBehindCostNothing) {
   FarWorld world({160, 8, 1});

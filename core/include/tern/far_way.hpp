@@ -22,11 +22,14 @@ namespace tern {
 /// How far ahead a far way must look at least, in cells of the coarse grid. With less, a vehicle could arrive at a near
 /// goal before there is a new one.
 constexpr double kLeastAhead = 3.0;
+/// And at most. One look along the way is one piece of work, which grows with the square of this. So it takes no more
+/// than a flight's tick.
+constexpr double kMostAhead = 256.0;
 
 /// How a far way leads.
 struct FarWaySpec {
-  /// How far ahead a near goal is at most, metres along the way: kLeastAhead coarse cells or more. Choose a little less
-  /// than half the shorter level side of the rolling map's window.
+  /// How far ahead a near goal is at most, metres along the way: kLeastAhead to kMostAhead coarse cells. Choose a
+  /// little less than half the shorter level side of the rolling map's window.
   double ahead;
   /// Nanoseconds without getting a coarse cell further along the way until the way counts as doubtful, > 0.
   int64_t patience = 10000000000;
@@ -49,8 +52,8 @@ enum class FarState : uint8_t {
 /// addresses, and nobody else may plan with this planner. It must not be the one of the Flight.
 class FarWay {
  public:
-  /// kOk; kNonFiniteInput; kInvalidArgument: a spec out of range, `ahead` of less than kLeastAhead cells, or a coarse
-  /// grid that is not inflated. A refused call changes nothing.
+  /// kOk; kNonFiniteInput; kInvalidArgument: a spec out of range, `ahead` of less than kLeastAhead cells or more than
+  /// kMostAhead, or a coarse grid that is not inflated. A refused call changes nothing.
   Status start(const FarWaySpec& spec, Grid& coarse, Planner& planner) noexcept;
   /// Sets the goal, world frame, and looks for a way to it. Call it again after you marked or cleared voxels of the
   /// coarse grid. kNonFiniteInput; kInvalidArgument before start(). A refused call changes nothing.

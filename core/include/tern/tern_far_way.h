@@ -36,7 +36,7 @@ typedef struct {
 } tern_far_way;
 
 /* Begins without a goal. Grid and planner must stay at their addresses. ok, non_finite_input or invalid_argument: also
- * where `ahead` is less than three cells of the grid. */
+ * where `ahead` is less than three cells of the grid, or more than 256. */
 uint8_t tern_far_way_start(tern_far_way* far_way, const tern_far_way_spec* spec, tern_grid* coarse,
                            tern_planner* planner);
 /* Sets the goal, world frame. ok, non_finite_input or invalid_argument. */

@@ -35,7 +35,8 @@ bool lacks_start(const Report& found) {
 Status FarWay::start(const FarWaySpec& spec, Grid& coarse, Planner& planner) noexcept {
   if (!finite(spec.ahead)) return Status::kNonFiniteInput;
   if (spec.patience <= 0 || !coarse.inflated()) return Status::kInvalidArgument;
-  if (!(spec.ahead >= kLeastAhead * coarse.spec().cell)) return Status::kInvalidArgument;
+  const double cell = coarse.spec().cell;
+  if (!(spec.ahead >= kLeastAhead * cell && spec.ahead <= kMostAhead * cell)) return Status::kInvalidArgument;
   *this = FarWay{};
   spec_ = spec;
   coarse_ = &coarse;

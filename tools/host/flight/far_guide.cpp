@@ -69,7 +69,7 @@ FarGuide::FarGuide(const FlightWorld& world)
                              brief(world.settings.far_cell) + " m has too many cells; set a larger far_cell");
   }
   mark_known(world, coarse_);
-  far_.start({ahead_of(world)}, coarse_, planner_);
+  far_.start({std::min(ahead_of(world), tern::kMostAhead * spec.cell)}, coarse_, planner_);
   far_.set_goal(world.goal);
 }
 
