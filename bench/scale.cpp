@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "city.hpp"
 #include "host/session.hpp"
 #include "quantile.hpp"
 #include "support/random.hpp"
@@ -21,6 +22,9 @@
 namespace {
 
 using tern::Vec3;
+using tern_bench::City;
+using tern_bench::kCityEdge;
+using tern_bench::kCityHeight;
 using tern_bench::quantile;
 using tern_host::PlanResult;
 using tern_host::Scenario;
@@ -181,36 +185,10 @@ void over_walls(tern_host::Session& session, std::ofstream& csv) {
   }
 }
 
-// A city of 5 x 5 x 0.15 km: blocks of 60 m, streets of 20 m, and four in ten of them built over for the length of a
-// block.
-constexpr double kCityEdge = 5000.0;
-constexpr double kCityHeight = 150.0;
-constexpr double kBlock = 60.0;
-constexpr double kStreet = 20.0;
 constexpr int kWays = 300;
 constexpr int kRuns = 3;  ///< of each; the least time counts
 const double kCityCells[] = {16.0, 8.0, 4.0};
-
-struct City {
-  double low, high;  ///< roofs, metres
-  double ceiling;    ///< of the flight
-};
 const City kCities[] = {{15.0, kCityHeight, kCityHeight}, {15.0, kCityHeight, 60.0}, {45.0, kCityHeight, 40.0}};
-
-void build(const City& city, tern::Grid& grid) {
-  Random random(1);
-  for (double x = kStreet; x + kBlock < kCityEdge; x += kBlock + kStreet) {
-    for (double y = kStreet; y + kBlock < kCityEdge; y += kBlock + kStreet) {
-      const double roof = random.real(city.low, city.high);
-      const bool east = random.chance(0.2);
-      const bool north = random.chance(0.2);
-      grid.mark_box({{x, y, 0.0}, {x + kBlock, y + kBlock, roof}});
-      if (east) grid.mark_box({{x + kBlock, y, 0.0}, {x + kBlock + kStreet, y + kBlock, roof}});
-      if (north) grid.mark_box({{x, y + kBlock, 0.0}, {x + kBlock, y + kBlock + kStreet, roof}});
-    }
-  }
-  grid.inflate();
-}
 
 double milliseconds_since(std::uint64_t begin) {
   const tern_host::Clock clock = tern_host::platform_clock();
@@ -241,16 +219,14 @@ double find_way(const Vec3& start, const Vec3& goal, tern::Grid& grid, tern::Pla
 
 /// Far ways through the coarse grid, the first one from corner to corner.
 void over_city(double cell, const City& city) {
-  const auto across = static_cast<std::int32_t>(std::ceil(kCityEdge / cell));
-  const tern::Voxel dims{across, across, static_cast<std::int32_t>(std::ceil(kCityHeight / cell))};
-  const tern::GridSpec spec{
-      {0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {kCityEdge, kCityEdge, city.ceiling}}, 0.0, 0.0};
+  const tern::GridSpec spec = tern_bench::city_spec(city, cell);
+  const tern::Voxel& dims = spec.dims;
   std::vector<std::uint64_t> words(tern::grid_words(dims));
   const auto memory = std::make_unique<tern::Workspace>();
   tern::Planner planner(memory.get(), sizeof *memory);
   tern::Grid grid;
   if (grid.bind(spec, words.data(), words.size()) != tern::Status::kOk) return;
-  build(city, grid);
+  tern_bench::build_city(city, grid);
   Random random(2);
   std::vector<double> units, times;
   int found = 0;
@@ -272,7 +248,7 @@ void over_city(double cell, const City& city) {
   std::printf(
       "city, roofs %.0f to %.0f m, ceiling %.0f m, cells of %.0f m: %.2g of them, %.1f MB; %d of %d ways, %.1f km "
       "at most; units %.0f, %.0f at most; ms %.2f, %.2f at most\n",
-      city.low, city.high, city.ceiling, cell, static_cast<double>(across) * across * dims.z,
+      city.low, city.high, city.ceiling, cell, static_cast<double>(dims.x) * dims.y * dims.z,
       8e-6 * static_cast<double>(words.size()), found, kWays, 1e-3 * longest, quantile(units, 0.5),
       quantile(units, 1.0), quantile(times, 0.5), quantile(times, 1.0));
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The timing gate's image: plans every case of the corpus in one call, then again one unit of work at a time, and
-// prints as CSV what each stage and the longest unit counted; then yaw plans, the jobs of rolling maps, and the
-// longest ticks of flights. Lines that begin with # are notes. What the figures mean and leave out is in
+// prints as CSV what each stage and the longest unit counted; then yaw plans, the jobs of rolling maps, a far way, and
+// the longest ticks of flights. Lines that begin with # are notes. What the figures mean and leave out is in
 // docs/timing.md.
 #include <cstdint>
 
@@ -13,6 +13,7 @@
 #include "golden/flight_ticks.hpp"
 #include "tern_port/port.hpp"
 #include "timing/case_grid.hpp"
+#include "timing/far_rows.hpp"
 #include "timing/hard_flights.hpp"
 #include "timing/map_rows.hpp"
 #include "timing/yaw_rows.hpp"
@@ -168,7 +169,8 @@ int main() {
   }
   yaw_rows.print();
   const bool all_mapped = tern_timing::print_map_rows();
+  const bool led = tern_timing::print_far_rows(workspace);
   const bool flown = fly("flight_mcu", tern_golden::kSmallFlight) && fly("flight", tern_golden::kFullFlight) &&
                      tern_timing::print_hard_flights(flight_memory);
-  return all_planned && all_mapped && flown && counters_agree() ? 0 : 1;
+  return all_planned && all_mapped && led && flown && counters_agree() ? 0 : 1;
 }

@@ -27,8 +27,9 @@ STAGES = ["grid", "mark", "inflate", "world", "search", "shortcut", "corridor", 
 TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
 UNITS = ["path unit", "corridor unit", "trajectory unit", "unit"]
 COUNTED = ["world", "search", "shortcut", "corridor", "times", "trajectory", "check", "previous", "stop_first", "reach",
-           "first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "fixed", "motion", "point", "timed"]
+           "first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "fixed", "motion", "point", "timed", "far way"]
 MAP_JOBS = ["first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "map unit"]
+FAR = ["far way", "far tick", "far unit"]
 
 
 class Cap(typing.NamedTuple):
@@ -212,6 +213,8 @@ def show(notes, rows, caps, budgets):
     print_table(rows, budgets, UNITS)
     print("jobs of rolling maps, and the longest unit")
     print_table(rows, budgets, MAP_JOBS)
+    print("a far way, its longest tick and its longest unit")
+    print_table(rows, budgets, FAR)
     print("and the longest ticks of flights")
     print_table(rows, budgets, TICKS)
     print("instructions of a unit of work")
