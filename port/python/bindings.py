@@ -13,7 +13,7 @@ import tempfile
 import cffi
 
 # These include the others.
-HEADERS = ["tern/tern_corridor.h", "tern/tern_flight.h", "tern/tern_record.h", "tern_stacks/stacks.h"]
+HEADERS = ["tern/tern_corridor.h", "tern/tern_far_way.h", "tern/tern_record.h", "tern_stacks/stacks.h"]
 EMPTY = ["stddef.h", "stdint.h", "stdbool.h"]  # cffi knows their types
 CONSTANTS = ["TERN_ABI", "TERN_MAX_SEGMENTS", "TERN_MAX_PLANES", "TERN_MAVLINK_SETPOINT_BYTES",
              "TERN_CRAZYFLIE_PIECES"]

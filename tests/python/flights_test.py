@@ -63,6 +63,65 @@ class Flights(unittest.TestCase):
         self.assertAlmostEqual(highest, 0.8)
         np.testing.assert_allclose(flight.command(now).position, [0, 0, 0.15], atol=1e-9)
 
+    def test_a_far_way_leads_around_a_court(self):
+        coarse = tern.Grid((-160, -160, 0), 4.0, (80, 80, 4), 0.0)
+        coarse.mark_box((20, -40, 0), (24, 40, 16))
+        coarse.mark_box((-20, -40, 0), (24, -36, 16))
+        coarse.mark_box((-20, 36, 0), (24, 40, 16))
+        coarse.inflate()
+        rolling_map = tern.RollingMap((-64, -64, -8), 0.5, (256, 256, 48), 0.5)
+        place = (-40.0, 0.0, 6.0)
+        rolling_map.assume_free(place, 120.0)
+        for ahead in (11.9, 1024.1):  # less than 3 cells, and more than 256
+            with self.assertRaises(tern.TernError) as raised:
+                tern.FarWay(coarse, tern.Planner(), ahead)
+            self.assertEqual(raised.exception.status, "invalid_argument")
+        far = tern.FarWay(coarse, tern.Planner(), ahead=60.0)
+        self.assertEqual(far.state, "no goal")
+        self.assertIsNone(far.tick(place, None, rolling_map, 0))
+        limits = tern.Limits((5, 5, 2), (6, 6, 6))
+        flight = tern.Flight(limits, rolling_map, tern.Planner(), place, t=0)
+        far.set_goal((40, 0, 6))
+        self.assertEqual(far.state, "searching")
+        now, tick, told, widest = 0, None, 0, 0.0
+        while now < 60_000_000_000:
+            place = flight.command(now).position
+            widest = max(widest, abs(place[1]))
+            if tick is not None and tick.arrived and far.is_last:
+                break
+            near_goal = far.tick(place, tick, rolling_map, now)
+            if near_goal is not None:
+                told += 1
+                flight.set_goal(near_goal)
+            tick = flight.tick(now)
+            now += flight.tick_ns
+        self.assertTrue(tick.arrived)
+        self.assertEqual((far.state, far.searches, far.marked), ("leads", 1, 0))
+        self.assertLess(far.left, 1.0)
+        self.assertGreater(told, 1)
+        self.assertGreater(widest, 40.0)
+        np.testing.assert_allclose(place, [40, 0, 6], atol=1e-9)
+
+    def test_a_far_way_closes_a_cell_where_the_flight_gave_up(self):
+        coarse = tern.Grid((0, 0, 0), 4.0, (32, 32, 4), 0.0)
+        coarse.inflate()
+        rolling_map = tern.RollingMap((0, 0, 0), 0.5, (128, 128, 32), 0.5)
+        far = tern.FarWay(coarse, tern.Planner(), ahead=40.0)
+        far.set_goal((122, 62, 6))
+        flight = tern.Flight(LIMITS, self.free_map(), tern.Planner(), (0, 0, 1.5), t=0)
+        tick = flight.tick(0)
+        for reason, marked in (("TERN_FLIGHT_HELD_UP", 0), ("TERN_FLIGHT_NO_PROGRESS", 1)):
+            tick.report.mode, tick.report.reason = tern._library.lib.TERN_FLIGHT_REST, getattr(tern._library.lib, reason)
+            far.tick((6, 62, 6), tick, rolling_map, 0, work=10**9)
+            far.tick((6, 62, 6), tick, rolling_map, 0, work=10**9)
+            self.assertEqual(far.marked > 0, marked > 0)
+
+    @staticmethod
+    def free_map():
+        rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)
+        rolling_map.assume_free((0, 0, 1.5), 6.0)
+        return rolling_map
+
     def test_no_return_is_what_is_stated(self):
         for stated in (0.0, 3.0):
             rolling_map = tern.RollingMap((0, 0, 0), 0.1, (64, 20, 20), 0.2, pixels=4096)

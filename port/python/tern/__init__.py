@@ -8,6 +8,7 @@ World frame: east, north, up. Units: metres, seconds, radians; maps and flights 
 from tern._library import TernError
 from tern.export import (ExportError, Setpoint, YawPlan, crazyflie_compressed, crazyflie_raw, mavlink_setpoint, plan_yaw,
                          setpoint_error, setpoint_ned)
+from tern.far_way import FarWay
 from tern.flight import Command, Flight, RollingMap, Tick, limit_speed
 from tern.grid import Grid
 from tern.planner import Planner, Polyhedron, Report, Result, clear_until
@@ -18,7 +19,7 @@ from tern.trajectory import Samples, Trajectory
 __version__ = "0.1.0"
 
 __all__ = [
-    "Command", "Fence", "Flight", "Grid", "Limits", "Planner", "Polyhedron", "Report", "Result", "RollingMap",
+    "Command", "FarWay", "Fence", "Flight", "Grid", "Limits", "Planner", "Polyhedron", "Report", "Result", "RollingMap",
     "Samples", "Setpoint", "State", "TernError", "Tick", "Track", "Trajectory", "Via", "YawPlan",
     "clear_until", "crazyflie_compressed", "crazyflie_raw", "limit_speed", "mavlink_setpoint", "plan_yaw",
     "setpoint_error", "setpoint_ned",

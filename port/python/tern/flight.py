@@ -3,8 +3,8 @@
 """Flights through a world that is discovered: a rolling map, and a flight over it and a planner."""
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Optional, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Optional, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -138,7 +138,7 @@ class Tick:
     """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, for how many
     nanoseconds no frame was entered into the map, and what is in the way ("nothing", "unseen", "obstacle", "window",
     "fence"), where (world frame, metres), and for a fence its index among the flight's, otherwise -1. Then how far the
-    vehicle was last measured to be off the plan, metres, and the part of its speed that this leaves."""
+    vehicle was last measured to be off the plan, metres, and the part of its speed that this leaves. `report` is the whole answer as C gives it."""
     mode: str
     reason: str
     arrived: bool
@@ -154,6 +154,7 @@ class Tick:
     blocked_fence: int
     stray: float
     speed_share: float
+    report: Any = field(repr=False, compare=False)  # tern_flight_report*
 
 
 def _flight_spec(limits, settings):
@@ -226,7 +227,7 @@ class Flight:
         return Tick(_MODES[report.mode], reason, report.reason in (lib.TERN_FLIGHT_ARRIVED, lib.TERN_FLIGHT_LANDED), report.asked,
                     report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
                     report.frame_age, _BLOCKERS[report.blocked_by], np.array(triple(report.blocked_at)),
-                    report.blocked_fence, report.stray, report.speed_share)
+                    report.blocked_fence, report.stray, report.speed_share, report)
 
     def note_position(self, position: Sequence[float], t: int) -> None:
         """Says where the vehicle was measured to be at time `t`. It flies slower while it strays from its plan."""
