@@ -21,6 +21,7 @@ constexpr double kStreet = 20.0;
 struct City {
   double low, high;  ///< roofs, metres
   double ceiling;    ///< of the flight
+  double edge = kCityEdge;
 };
 
 /// Cells from face to face, the last one in part beyond it.
@@ -30,15 +31,15 @@ inline std::int32_t city_cells(double size, double cell) {
 }
 
 inline tern::GridSpec city_spec(const City& city, double cell) {
-  const tern::Voxel dims{city_cells(kCityEdge, cell), city_cells(kCityEdge, cell), city_cells(kCityHeight, cell)};
-  return {{0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {kCityEdge, kCityEdge, city.ceiling}}, 0.0, 0.0};
+  const tern::Voxel dims{city_cells(city.edge, cell), city_cells(city.edge, cell), city_cells(kCityHeight, cell)};
+  return {{0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {city.edge, city.edge, city.ceiling}}, 0.0, 0.0};
 }
 
 /// Marks the city in a grid of city_spec(), and inflates it.
 inline void build_city(const City& city, tern::Grid& grid) {
   tern_test::Random random(1);
-  for (double x = kStreet; x + kBlock < kCityEdge; x += kBlock + kStreet) {
-    for (double y = kStreet; y + kBlock < kCityEdge; y += kBlock + kStreet) {
+  for (double x = kStreet; x + kBlock < city.edge; x += kBlock + kStreet) {
+    for (double y = kStreet; y + kBlock < city.edge; y += kBlock + kStreet) {
       const double roof = random.real(city.low, city.high);
       const bool east = random.chance(0.2);
       const bool north = random.chance(0.2);

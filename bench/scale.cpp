@@ -1,30 +1,25 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the work of a plan grows: with the cells of the map, with vias, with legs, and with things that move; and far
-// ways through a city. Counts units, which are the same on every machine. tools/bench scale runs it;
-// bench/scale_plot.py draws its table.
+// How the work of a plan grows: with the cells of the map, with vias, with legs, and with things that move; that
+// of far ways through a city, and that of vehicles in a swarm. Counts units, which are the same on every machine.
+// tools/bench scale runs it; bench/scale_plot.py draws its table.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "city.hpp"
 #include "host/session.hpp"
 #include "quantile.hpp"
+#include "scale_rows.hpp"
 #include "support/random.hpp"
-#include "tern/far_way.hpp"
 
 namespace {
 
 using tern::Vec3;
-using tern_bench::City;
-using tern_bench::kCityEdge;
-using tern_bench::kCityHeight;
 using tern_bench::quantile;
 using tern_host::PlanResult;
 using tern_host::Scenario;
@@ -110,7 +105,7 @@ struct Row {
       csv << ',' << median;
     }
     std::printf(" units, inflate %.0f us\n", planned > 0 ? quantile(inflate, 0.5) : 0.0);
-    csv << ',' << (planned > 0 ? quantile(inflate, 0.5) : 0.0) << '\n';
+    csv << ',' << (planned > 0 ? quantile(inflate, 0.5) : 0.0) << ",0,0,0\n";
   }
 };
 
@@ -185,74 +180,6 @@ void over_walls(tern_host::Session& session, std::ofstream& csv) {
   }
 }
 
-constexpr int kWays = 300;
-constexpr int kRuns = 3;  ///< of each; the least time counts
-const double kCityCells[] = {16.0, 8.0, 4.0};
-const City kCities[] = {{15.0, kCityHeight, kCityHeight}, {15.0, kCityHeight, 60.0}, {45.0, kCityHeight, 40.0}};
-
-double milliseconds_since(std::uint64_t begin) {
-  const tern_host::Clock clock = tern_host::platform_clock();
-  return 1e3 * static_cast<double>(clock.read(clock.context) - begin) / clock.ticks_per_second;
-}
-
-/// A point in the city above no roof: half of them in the streets.
-Vec3 free_point(const tern::Grid& grid, const City& city, Random& random) {
-  for (;;) {
-    const double top = random.chance(0.5) ? 20.0 : city.ceiling;
-    const Vec3 at{random.real(0.0, kCityEdge), random.real(0.0, kCityEdge), random.real(2.0, top)};
-    if (grid.free(grid.voxel_of(grid.to_local(at)))) return at;
-  }
-}
-
-/// Units to the way; `least` becomes the milliseconds that it took, if they are less.
-double find_way(const Vec3& start, const Vec3& goal, tern::Grid& grid, tern::Planner& planner, tern::FarWay& far,
-                double& least) {
-  far.start({100.0}, grid, planner);
-  far.set_goal(goal);
-  const tern_host::Clock clock = tern_host::platform_clock();
-  const std::uint64_t begin = clock.read(clock.context);
-  double spent = 0.0;
-  for (; far.state() == tern::FarState::kSearching; spent += 100.0) far.tick(start, {}, {}, 0, 100);
-  least = std::min(least, milliseconds_since(begin));
-  return spent;
-}
-
-/// Far ways through the coarse grid, the first one from corner to corner.
-void over_city(double cell, const City& city) {
-  const tern::GridSpec spec = tern_bench::city_spec(city, cell);
-  const tern::Voxel& dims = spec.dims;
-  std::vector<std::uint64_t> words(tern::grid_words(dims));
-  const auto memory = std::make_unique<tern::Workspace>();
-  tern::Planner planner(memory.get(), sizeof *memory);
-  tern::Grid grid;
-  if (grid.bind(spec, words.data(), words.size()) != tern::Status::kOk) return;
-  tern_bench::build_city(city, grid);
-  Random random(2);
-  std::vector<double> units, times;
-  int found = 0;
-  double longest = 0.0;
-  for (int k = 0; k < kWays; ++k) {
-    const Vec3 start = k == 0 ? Vec3{5.0, 5.0, 10.0} : free_point(grid, city, random);
-    const Vec3 goal = k == 0 ? Vec3{kCityEdge - 5.0, kCityEdge - 5.0, 10.0} : free_point(grid, city, random);
-    tern::FarWay far;
-    double least = 1e9;
-    double spent = 0.0;
-    for (int run = 0; run < kRuns; ++run) {
-      spent = find_way(start, goal, grid, planner, far, least);
-    }
-    times.push_back(least);
-    units.push_back(spent);
-    found += far.state() == tern::FarState::kLeads ? 1 : 0;
-    longest = std::max(longest, far.left());
-  }
-  std::printf(
-      "city, roofs %.0f to %.0f m, ceiling %.0f m, cells of %.0f m: %.2g of them, %.1f MB; %d of %d ways, %.1f km "
-      "at most; units %.0f, %.0f at most; ms %.2f, %.2f at most\n",
-      city.low, city.high, city.ceiling, cell, static_cast<double>(dims.x) * dims.y * dims.z,
-      8e-6 * static_cast<double>(words.size()), found, kWays, 1e-3 * longest, quantile(units, 0.5),
-      quantile(units, 1.0), quantile(times, 0.5), quantile(times, 1.0));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -263,14 +190,13 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
   if (!options.csv.empty()) csv.open(options.csv);
-  csv << "what,size,planned,asked,search,shortcut,corridor,trajectory,tracks,check,inflate_us\n";
+  csv << "what,size,planned,asked,search,shortcut,corridor,trajectory,tracks,check,inflate_us,far,flight,fleet\n";
   tern_host::Session session;
   over_cells(session, options, csv);
   over_vias(session, options, csv);
   over_walls(session, csv);
   over_things(session, options, csv);
-  for (const City& city : kCities) {
-    for (const double cell : kCityCells) over_city(cell, city);
-  }
+  tern_bench::over_cities(csv);
+  tern_bench::over_vehicles(csv);
   return 0;
 }

@@ -8,8 +8,9 @@ import math
 import sys
 
 STAGES = {"search": "#0b6e99", "shortcut": "#c4501b", "corridor": "#3a7d34", "trajectory": "#7b4fa3", "tracks": "#8a6d00",
-          "check": "#a3323a"}
+          "check": "#a3323a", "far": "#0b6e99", "flight": "#c4501b", "fleet": "#3a7d34"}
 PANEL, HEIGHT, LEFT, TOP, BOTTOM = 340, 380, 75, 40, 50
+ACROSS = 4  # panels
 UNITS = (1.0, 1e6)
 
 
@@ -26,17 +27,19 @@ def line(points, colour, width):
     return f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="{width}"/>'
 
 
-def panel(what, rows, left):
-    right, low = left + PANEL - LEFT - 20, HEIGHT - BOTTOM
+def panel(what, rows, left, top):
+    right, low = left + PANEL - LEFT - 20, top + HEIGHT - BOTTOM
+    high = top + TOP
+    rows = sorted(rows, key=lambda row: float(row["size"]))
     sizes = [float(row["size"]) for row in rows]
 
     def x(size):
         return left + (right - left) * share(size, sizes[0], sizes[-1])
 
     def y(units):
-        return low - (low - TOP) * share(max(units, UNITS[0]), *UNITS)
+        return low - (low - high) * share(max(units, UNITS[0]), *UNITS)
 
-    out = [text((left + right) / 2, HEIGHT - 10, what)]
+    out = [text((left + right) / 2, low + BOTTOM - 10, what)]
     for power in range(7):
         out.append(line([(left, y(10**power)), (right, y(10**power))], "#ddd", 1))
         out.append(text(left - 6, y(10**power) + 4, f"{10**power:,}", "end"))
@@ -44,6 +47,8 @@ def panel(what, rows, left):
         label = f"{size:g}" if size < 1e4 else f"{size:.0e}".replace("e+0", "e")
         out.append(text(x(size), low + 18, label))
     for stage, colour in STAGES.items():
+        if not any(float(row[stage]) > 0 for row in rows):
+            continue
         points = [(x(float(row["size"])), y(float(row[stage]))) for row in rows]
         out.append(line(points, colour, 2))
     return out
@@ -55,12 +60,14 @@ def main():
     kinds = list(dict.fromkeys(row["what"] for row in rows))
     parts = []
     for k, what in enumerate(kinds):
-        parts += panel(what, [row for row in rows if row["what"] == what], LEFT + k * PANEL)
+        down, across = divmod(k, ACROSS)
+        parts += panel(what, [row for row in rows if row["what"] == what], LEFT + across * PANEL, down * HEIGHT)
+    width, height = PANEL * min(ACROSS, len(kinds)), HEIGHT * -(-len(kinds) // ACROSS)
     for k, (stage, colour) in enumerate(STAGES.items()):
         parts.append(text(LEFT + 90 * k, 20, stage, "start", colour))
-    parts.append(text(PANEL * len(kinds) - 20, 20, "units, median", "end"))
+    parts.append(text(width - 20, 20, "units; flight and fleet: of a tick", "end"))
     with open(out, "w") as file:
-        file.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {PANEL * len(kinds)} {HEIGHT}" '
+        file.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
                    'font-family="sans-serif" font-size="12">\n<rect width="100%" height="100%" fill="#fff"/>\n')
         file.write("\n".join(parts) + "\n</svg>\n")
 

@@ -123,6 +123,8 @@ class Swarm {
     result_.most_members = std::max(result_.most_members, did.members);
     result_.member_ticks += static_cast<std::uint64_t>(did.members);
     ++result_.ticks;
+    result_.fleet_units += did.fleet_units;
+    result_.flight_units += vehicle.report().work;
     result_.most_untold = std::max(result_.most_untold, did.untold);
     result_.most_fleet_units = std::max(result_.most_fleet_units, did.fleet_units);
     const double now = 1e-9 * static_cast<double>(now_);

@@ -37,11 +37,13 @@ struct SwarmResult {
   std::uint64_t packets = 0, lost = 0, bytes = 0;
   std::uint32_t disagreed = 0;         ///< ticks at which a vehicle did not fly what its fleet said
   std::uint32_t most_fleet_units = 0;  ///< of a tick
-  int most_members = 0;                ///< of a vehicle's fleet, at a time
-  std::uint64_t member_ticks = 0;      ///< the same, summed over all vehicles and ticks
-  std::uint64_t ticks = 0;             ///< of all vehicles
-  int most_untold = 0;                 ///< others' plans that a flight has no room for, at a time
-  std::uint64_t hash = 0;              ///< of all positions at all ticks
+  /// Work of all vehicles in all ticks; 0 of vehicles in processes.
+  std::uint64_t fleet_units = 0, flight_units = 0;
+  int most_members = 0;            ///< of a vehicle's fleet, at a time
+  std::uint64_t member_ticks = 0;  ///< the same, summed over all vehicles and ticks
+  std::uint64_t ticks = 0;         ///< of all vehicles
+  int most_untold = 0;             ///< others' plans that a flight has no room for, at a time
+  std::uint64_t hash = 0;          ///< of all positions at all ticks
   /// All members, one row each `film_step` seconds. Of vehicles in processes, places alone.
   std::vector<std::vector<tern::Sample>> film;
   std::vector<std::vector<tern::Vec3>> intruder_film;  ///< likewise, all intruders
