@@ -53,6 +53,37 @@ TEST_F(Among, IsLedAroundWhatCrosses) {
   for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
 }
 
+/// Plans that fly to and fro before a closed passage arrive hardly sooner than those that wait for it.
+TEST_F(Among, WaitsRatherThanFliesAbout) {
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const auto alone = std::make_unique<Trajectory>(world_.trajectory);
+  Track wall = ball({4.0, 2.0, 1.0}, {0.0, 0.0, 0.0});
+  wall.shape = TrackShape::kBox;
+  wall.half = {0.1, 3.0, 3.0};
+  wall.end = TrackEnd::kGone;
+  for (const int until : {14, 22, 37, 52}) {
+    wall.until = until * kSecond;
+    ASSERT_EQ(plan({wall}), Status::kOk);
+    expect_plan();
+    // The shortest wait, to a fiftieth of a second, by proofs of the plan alone against a wall that much earlier.
+    Track earlier = wall;
+    tern::TrackGrounds grounds{&earlier, 1, world_.spec.radius, 0.0, true};
+    tern::ProofReport found;
+    int wait = 0;  // in fiftieths of a second
+    do {
+      ++wait;
+      earlier.measured = wall.measured - wait * (kSecond / 50);
+      earlier.until = wall.until - wait * (kSecond / 50);
+      tern::clear_until(*alone, 0.0, grounds, &found);
+    } while (found.finding != tern::Finding::kNone && wait < 50 * until);
+    ASSERT_EQ(found.finding, tern::Finding::kNone);
+    const double soonest = 0.02 * wait + tern::duration(*alone);
+    EXPECT_NEAR(tern::duration(world_.trajectory), soonest, 0.3) << until;
+    EXPECT_NEAR(world_.report.waits, 0.02 * wait, 0.3) << until;
+    EXPECT_EQ(world_.report.diagnostics.seed, 0);
+  }
+}
+
 TEST_F(Among, WaitsForWhatTakesUpTheWholeWay) {
   ASSERT_EQ(world_.plan(), Status::kOk);
   const double alone = tern::duration(world_.trajectory);

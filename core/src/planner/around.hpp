@@ -34,7 +34,7 @@ struct Kept {
 /// The plans that the search for one around things begins from, and falls back to.
 struct AroundMemory {
   Kept alone;                    ///< the plan as if nothing moved
-  Trajectory found;              ///< around things in its corridor, with stops and dwells
+  Trajectory found;              ///< the best one around things so far, with stops and dwells
   Trajectory seed;               ///< of the current way
   std::int32_t joint[kMaxVias];  ///< as in ViaMemory, of the one found
   TimedSeed timed;
@@ -54,7 +54,8 @@ struct Around {
   std::int32_t instant = 0;      ///< of that look, the next one
   double soonest = 0.0;          ///< s: the first arrival after which the goal stays clear, about
   double latest = 0.0;           ///< s: and the last one, if that is not after the first plan's seed arrives
-  double found = 0.0;            ///< s that the plan in the first corridor takes; 0: there is none
+  double found = 0.0;            ///< s that the best plan so far takes; 0: there is none
+  bool is_waiting = false;       ///< the stage `tracks` looks whether the plan as if nothing moved may wait
 };
 
 /// As Diagnostics::seed, for the plan in memory.
@@ -93,6 +94,16 @@ constexpr double kLongestFlood = 1.6;
 /// If the first flood finds no way, it and all others look further by this factor: it takes long until there is one,
 /// and a flood at full speed finds the shortest wait.
 constexpr double kFurther = 2.0;
+
+/// A plan that waits may arrive later than one that flies about instead by this part of how much longer than the one as
+/// if nothing moved that takes: a run-up to a closed passage gains little.
+constexpr double kWorthWaiting = 0.03;
+
+/// s: a plan that waits is of use if it takes no longer.
+constexpr double longest_of(const Around& around) noexcept {
+  if (!around.is_active) return __builtin_inf();
+  return around.found + kWorthWaiting * (around.found - around.alone);
+}
 
 /// Keeps what the search for other ways overwrites, and brings it back.
 void keep(const Path& path, const ViaMarks& marks, const Corridor& corridor, Kept& kept) noexcept;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What follows a stage while a plan around things is made. First the plan as if nothing moved is the seed; if that
-// gives no plan, or one that lasts much longer, ways from the flood in time are, one after the other.
+// gives no plan, or one that lasts much longer, ways from the flood in time are, one after the other. If the best of
+// these plans takes longer than the one as if nothing moved, it is tried whether that one may wait instead.
 //
-//   tracks (when is the goal clear?) -> times -> trajectory -> check -> the plan, or the next seed:
+//   tracks (when is the goal clear?) -> times -> trajectory -> check -> the best plan, or the next seed:
 //   tracks (flood) -> corridor -> times -> ...
+//   the best plan -> tracks (wait) -> that plan, or check -> the one that waits
 #include "base/math.hpp"
 #include "planner/layout.hpp"
 #include "planner/pipeline.hpp"
@@ -36,6 +38,7 @@ void Pipeline::go_on_around(bool done) noexcept {
     around.is_looking = false;
     return around.soonest > kTooEarly * around.alone ? next_seed() : enter(Stage::kTimes);
   }
+  if (around.is_waiting) return done ? enter(Stage::kCheck) : end_wait(false);
   around.is_flooding = false;
   if (stage_ == Stage::kTrajectory && curves_.status == Status::kSeparationsFull) around.lacking = curves_.status;
   if (stage_ == Stage::kTracks) {
@@ -71,21 +74,65 @@ void Pipeline::go_on_around(bool done) noexcept {
 void Pipeline::judge_around(bool is_clear) noexcept {
   Layout& memory = *memory_;
   Around& around = attempts_.around;
+  if (around.is_waiting) return end_wait(is_clear);
   if (!is_clear) return next_seed();
   const double lasts = duration(memory.trajectory);
   const bool is_first = around.seed == 0 && !around.is_last;
   const double enough = larger(kGoodEnough * around.alone, kGoodArrival * larger(around.alone, around.soonest));
   if (is_first && lasts > enough) {
-    memory.around.found = memory.trajectory;
-    for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];
-    around.found = lasts;
+    keep_found();
     return next_seed();
   }
-  if (is_first || around.is_last || around.found <= 0.0 || lasts < around.found) return take_plan();
-  next_seed();
+  if (!is_first && !around.is_last && around.found > 0.0 && lasts >= around.found) return next_seed();
+  lasts > kGoodEnough* around.alone ? begin_wait() : take_plan();
 }
 
-/// Goes on to the next flood. After the last one, the answer is the plan in the first corridor, if there is one.
+/// The trajectory in memory is the best so far.
+void Pipeline::keep_found() noexcept {
+  Layout& memory = *memory_;
+  memory.around.found = memory.trajectory;
+  for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];
+  attempts_.around.found = duration(memory.trajectory);
+}
+
+void Pipeline::take_found() noexcept {
+  Layout& memory = *memory_;
+  memory.trajectory = memory.around.found;
+  for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.vias.joint[v] = memory.around.joint[v];
+}
+
+/// Puts the plan that was made as if nothing moved into memory, without its corridor.
+void Pipeline::take_alone() noexcept {
+  Layout& memory = *memory_;
+  memory.trajectory = memory.around.alone.trajectory;
+  complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory);
+}
+
+/// Tries whether the plan as if nothing moved may wait, and arrive about when the proven plan in memory does.
+void Pipeline::begin_wait() noexcept {
+  note_rest();
+  keep_found();
+  take_alone();
+  enter(Stage::kTracks);
+  attempts_.around.is_waiting = true;
+}
+
+/// The plan as if nothing moved is proven to be clear if it waits, or the proven plan that it would replace is the
+/// answer.
+void Pipeline::end_wait(bool may_wait) noexcept {
+  Layout& memory = *memory_;
+  attempts_.around.is_waiting = false;
+  if (!may_wait) {
+    take_found();
+    return end_plan();
+  }
+  bring_back(memory.around.alone, memory.path, memory.vias.marks, memory.corridor);
+  end_around();
+  take_plan();
+}
+
+/// Goes on to the next flood. After the last one, the answer is the plan in the first corridor, if there is one; if
+/// not, the one that was made as if nothing moved may wait.
 void Pipeline::next_seed() noexcept {
   Layout& memory = *memory_;
   Around& around = attempts_.around;
@@ -107,24 +154,23 @@ void Pipeline::next_seed() noexcept {
     return enter(Stage::kTracks);
   }
   bring_back(memory.around.alone, memory.path, memory.vias.marks, memory.corridor);
-  if (around.found <= 0.0 || around.is_last) return give_up_around();
-  memory.trajectory = memory.around.found;
-  for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.vias.joint[v] = memory.around.joint[v];
+  if (around.found <= 0.0 || around.is_last) {
+    end_around();
+    take_alone();
+    return enter(Stage::kTracks);
+  }
+  take_found();
   quality_ = Quality::kOptimised;
   around.is_last = true;
   enter(Stage::kCheck);
 }
 
-/// There is no plan around things: the one that was made as if nothing moved may wait.
-void Pipeline::give_up_around() noexcept {
-  Layout& memory = *memory_;
+/// No plan around things is the answer.
+void Pipeline::end_around() noexcept {
   Around& around = attempts_.around;
   around.is_active = false;
   quality_ = around.quality;
   optimiser_ = around.optimiser;
-  memory.trajectory = memory.around.alone.trajectory;
-  complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory);
-  enter(Stage::kTracks);
 }
 
 /// Of the current stage's budget, what is for later seeds.

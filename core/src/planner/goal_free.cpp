@@ -50,9 +50,9 @@ void goal_free_begin(double arrival, GoalFree& goal) noexcept {
   goal.arrival = goal.covered = goal.at = arrival;
 }
 
-Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal, TrackProof& proof,
-                           Work& work) noexcept {
-  for (int k = 0; k <= kGoalLooks + kGoalHalvings; ++k) {
+Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal,
+                           Conflict& conflict, TrackProof& proof, Work& work) noexcept {
+  for (int k = 0; k <= kGoalLooks + kGoalHalvings && !goal.is_done; ++k) {
     if (!goal.is_proving) {
       if (!work.left()) return Progress::kMore;
       prove_from(goal.at, grounds, trajectory, goal, proof);
@@ -60,7 +60,10 @@ Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajec
     if (proof.step(work) == Status::kRunning) return Progress::kMore;
     goal.is_proving = false;
     const ProofReport& found = proof.report();
-    if (!look_on(found.finding == Finding::kNone, found.until, goal)) return Progress::kDone;
+    const bool is_free = found.finding == Finding::kNone;
+    if (!is_free && conflict.status != Status::kGoalCovered)
+      conflict = {Status::kGoalCovered, found.track, found.fence, conflict.until};
+    goal.is_done = !look_on(is_free, found.until, goal);
   }
   return Progress::kDone;
 }

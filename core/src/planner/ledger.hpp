@@ -40,7 +40,7 @@ StageBound tracks_bound(std::int32_t count) noexcept;
 StageBound windows_bound() noexcept;
 
 /// The most proofs of the stage that looks for a time.
-constexpr int kTimedProofs = kWaitingTries + 2 + kGoalLooks + kGoalHalvings;
+constexpr int kTimedProofs = 2 * (kWaitingTries + kWaitHalvings) + 2 + kGoalLooks + kGoalHalvings;
 
 /// A budget that is not limited: more than any plan takes.
 constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;

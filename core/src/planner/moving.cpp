@@ -16,6 +16,8 @@ constexpr double kWait[kWaits] = {0.0,  0.25, 0.5,  0.75, 1.0,  1.25, 1.5,  1.75
 /// Factors of each segment's duration.
 constexpr double kPace[kPaces] = {1.0, 1.08, 1.18, 1.3, 1.5, 1.8, 2.2};
 
+/// s. A wait is as short as can be, to this.
+constexpr double kFinestWait = 0.04;
 /// s. No segment has no duration, so that of a plan that waits for nothing has this one.
 constexpr double kLeastWait = 1e-2;
 /// What a plan is granted, as by the check.
@@ -33,10 +35,19 @@ std::int64_t later_by(double seconds, std::int64_t time) {
 struct Try {
   double wait;
   double pace;
+  double ends;  ///< s since the plan comes to its rest
 };
 
-Try try_at(int index) {
-  return {kWait[index / kPaces], kPace[index % kPaces]};
+/// If the try would end later than Waiting::longest but a shorter wait than the one before would not, it waits for as
+/// long as that allows. A negative wait: it does not.
+Try try_at(int index, const Waiting& waiting) {
+  const int wait = index / kPaces;
+  const double pace = kPace[index % kPaces];
+  const double flies = pace * waiting.after;
+  const double most = waiting.longest - waiting.before - flies;
+  if (!(most > 0.0) || (wait > 0 && !(most > kWait[wait - 1]))) return {-1.0, pace, 0.0};
+  if (kWait[wait] < most) return {kWait[wait], pace, kWait[wait] + flies};
+  return {most, pace, most + flies};
 }
 
 /// The plan's segment before which it rests, or -1.
@@ -69,26 +80,72 @@ int next_try(const Waiting& waiting) {
   int next = -1;
   double soonest = 0.0;
   for (int k = 1; k < kWaitingTries; ++k) {
-    const Try of = try_at(k);
-    if ((of.wait > 0.0 && !waiting.has_rest) || (of.pace > 1.0 && !waiting.may_slow_down)) continue;
-    const double ends = of.wait + of.pace * waiting.after;
-    const bool is_over = ends < waiting.ends || (!(waiting.ends < ends) && k <= waiting.last);
-    if (is_over || (next >= 0 && !(ends < soonest))) continue;
+    const Try of = try_at(k, waiting);
+    const bool rests = k >= kPaces;
+    if (of.wait < 0.0 || (rests && !waiting.has_rest) || (of.pace > 1.0 && !waiting.may_slow_down)) continue;
+    const bool is_over = of.ends < waiting.ends || (!(waiting.ends < of.ends) && k <= waiting.last);
+    if (is_over || (next >= 0 && !(of.ends < soonest))) continue;
     next = k;
-    soonest = ends;
+    soonest = of.ends;
   }
   return next;
 }
 
-/// Sets the durations of a try.
-void set_out(int index, Waiting& waiting, Trajectory& trajectory) {
-  const Try of = try_at(index);
+/// Sets the durations of a plan that waits and flies on at a pace.
+void set_out(double wait, double pace, Waiting& waiting, Trajectory& trajectory) {
   const int first = waiting.joint + (waiting.has_rest ? 1 : 0);
-  for (int s = first; s < trajectory.count; ++s) trajectory.segments[s].duration = of.pace * waiting.duration[s];
-  if (waiting.has_rest) trajectory.segments[waiting.joint].duration = larger(of.wait, kLeastWait);
-  waiting.waits = of.wait;
-  waiting.last = index;
-  waiting.ends = of.wait + of.pace * waiting.after;
+  for (int s = first; s < trajectory.count; ++s) trajectory.segments[s].duration = pace * waiting.duration[s];
+  if (waiting.has_rest) trajectory.segments[waiting.joint].duration = larger(wait, kLeastWait);
+  waiting.waits = wait;
+  waiting.pace = pace;
+}
+
+/// Takes the waits and paces out of the durations again.
+void undo(Waiting& waiting, Trajectory& trajectory) {
+  if (waiting.joint >= 0) set_out(0.0, 1.0, waiting, trajectory);
+}
+
+/// Sets the durations of the next try, or of the next wait between one that is clear and a shorter one that is not.
+/// False if none is left.
+bool set_next(Waiting& waiting, Trajectory& trajectory) {
+  if (waiting.joint < 0) return false;
+  if (waiting.clear >= 0.0) {
+    set_out(0.5 * (waiting.too_short + waiting.clear), waiting.pace, waiting, trajectory);
+    return true;
+  }
+  const int next = next_try(waiting);
+  if (next < 0) return false;
+  const Try of = try_at(next, waiting);
+  waiting.last = next;
+  waiting.ends = of.ends;
+  waiting.too_short = next < kPaces ? of.wait : kWait[next / kPaces - 1];
+  set_out(of.wait, of.pace, waiting, trajectory);
+  return true;
+}
+
+/// What a proof found of the plan with the current durations. True if no shorter wait is worth a try.
+bool take(bool is_clear, Waiting& waiting, Trajectory& trajectory) {
+  if (is_clear) waiting.clear = waiting.waits;
+  if (waiting.clear < 0.0) return false;
+  if (!is_clear) waiting.too_short = waiting.waits;
+  if (waiting.clear - waiting.too_short > kFinestWait) return false;
+  waiting.is_over = true;
+  set_out(waiting.clear, waiting.pace, waiting, trajectory);
+  return true;
+}
+
+/// Begins the proof against all things, or a first look at the one that a try met last: the next try mostly meets it,
+/// too.
+void begin_proof(const TrackGrounds& grounds, bool is_first_look, const Trajectory& trajectory, Waiting& waiting) {
+  TrackGrounds against = grounds;
+  if (is_first_look) {
+    against.tracks += waiting.met;
+    against.count = 1;
+    against.fence_count = 0;
+  }
+  waiting.proof.begin_accepted(trajectory, 0.0, __builtin_inf(), kGrant, against);
+  waiting.is_first_look = is_first_look;
+  waiting.is_proving = true;
 }
 
 }  // namespace
@@ -133,17 +190,16 @@ bool meets_in_time(const Problem& problem, const ProofReport& found) noexcept {
   return is_timed(problem.asked_world->fence[found.fence]);
 }
 
-void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict& conflict, Trajectory& trajectory,
+void waiting_begin(const Problem& problem, const EndStop* stops, double longest, Trajectory& trajectory,
                    ViaMemory& vias, Waiting& waiting) noexcept {
   const double all = duration(trajectory);
   waiting.is_tried = true;
-  waiting.looks_at_goal = conflict.status == Status::kNoClearTime;
+  waiting.longest = longest;
   waiting.joint = resting_joint(problem, stops);
   waiting.may_slow_down = waiting.joint >= 0 && may_slow_down(problem);
   if (waiting.joint < 0) return;
   waiting.has_rest = !is_full(trajectory.count == kMaxSegments) && waiting.joint < trajectory.count;
   if (waiting.has_rest) insert_wait(waiting.joint, problem.via_count, trajectory, vias);
-  waiting.before = 0.0;
   for (int s = 0; s < trajectory.count; ++s) waiting.duration[s] = trajectory.segments[s].duration;
   for (int s = 0; s < waiting.joint; ++s) waiting.before += waiting.duration[s];
   waiting.after = all - waiting.before;
@@ -152,39 +208,28 @@ void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict&
   if (waiting.has_rest) trajectory.segments[waiting.joint].duration = kLeastWait;
 }
 
-void waiting_undo(Waiting& waiting, Trajectory& trajectory) noexcept {
-  if (waiting.joint >= 0) set_out(0, waiting, trajectory);
-}
-
-Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Conflict& conflict,
-                         Work& work) noexcept {
-  if (waiting.looks_at_goal && !waiting.is_proving) {
-    TrackGrounds at_goal = grounds;
-    at_goal.leaves = false;
-    at_goal.rest = larger(grounds.rest, kLeastWait);
-    waiting.proof.begin_accepted(trajectory, duration(trajectory), __builtin_inf(), kGrant, at_goal);
-    waiting.is_proving = true;
-  }
-  // Each try is a proof.
-  for (int k = 0; k <= kWaitingTries + 1; ++k) {
+Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Work& work) noexcept {
+  // Each try is two proofs at most.
+  for (int k = 0; k <= 2 * (kWaitingTries + kWaitHalvings); ++k) {
     if (waiting.is_proving) {
       if (waiting.proof.step(work) == Status::kRunning) return Progress::kMore;
       waiting.is_proving = false;
       const ProofReport& found = waiting.proof.report();
       const bool is_clear = found.finding == Finding::kNone;
-      if (!waiting.looks_at_goal && is_clear) return Progress::kDone;
-      if (waiting.looks_at_goal && !is_clear)
-        conflict = {Status::kGoalCovered, found.track, found.fence, conflict.until};
-      waiting.looks_at_goal = false;
+      if (is_clear && waiting.is_first_look) {
+        begin_proof(grounds, false, trajectory, waiting);
+        continue;
+      }
+      if (!is_clear && !waiting.is_first_look) waiting.met = found.track;
+      if (take(is_clear, waiting, trajectory)) return Progress::kDone;
     }
-    const int next = waiting.joint < 0 ? -1 : next_try(waiting);
-    if (next < 0) return Progress::kFailed;
     if (!work.left()) return Progress::kMore;
     work.spend(ops::kTurn * kWaitingTries + ops::kCurve * trajectory.count);
-    set_out(next, waiting, trajectory);
-    waiting.proof.begin_accepted(trajectory, 0.0, __builtin_inf(), kGrant, grounds);
-    waiting.is_proving = true;
+    if (!set_next(waiting, trajectory)) break;
+    begin_proof(grounds, waiting.met != kNoTrack, trajectory, waiting);
   }
+  undo(waiting, trajectory);
+  waiting.is_over = true;
   return Progress::kFailed;
 }
 

@@ -49,18 +49,26 @@ struct Conflict {
 constexpr int kWaits = 30;
 constexpr int kPaces = 7;
 constexpr int kWaitingTries = kWaits * kPaces;
+/// Shorter waits that are tried after one that is clear, by halving.
+constexpr int kWaitHalvings = 8;
 
 struct Waiting {
-  bool is_tried = false;  ///< for the trajectory in memory
-  double waits = 0.0;     ///< s that the trajectory in memory waits
-  int joint = 0;          ///< before this segment, it rests; -1: nowhere
-  bool has_rest = false;  ///< a segment was inserted there
+  bool is_tried = false;             ///< for the trajectory in memory
+  bool is_over = false;              ///< and it is known whether that helps
+  double waits = 0.0;                ///< s that the trajectory in memory waits
+  double pace = 1.0;                 ///< factor of its other durations
+  double longest = __builtin_inf();  ///< s: no plan that takes longer is of use
+  int joint = 0;                     ///< before this segment, it rests; -1: nowhere
+  bool has_rest = false;             ///< a segment was inserted there
   bool may_slow_down = false;
   int last = -1;  ///< the try that was made last
   double ends = 0.0;
+  double too_short = 0.0;       ///< s: a wait that is not clear
+  double clear = -1.0;          ///< s: a longer one that is; negative: none is known
+  std::int32_t met = kNoTrack;  ///< by the last try that met a thing
   bool is_proving = false;
-  bool looks_at_goal = false;
-  double before = 0.0;  ///< s that the trajectory takes before the joint
+  bool is_first_look = false;  ///< the proof is one against that thing alone
+  double before = 0.0;         ///< s that the trajectory takes before the joint
   double after = 0.0;
   double duration[kMaxSegments] = {};  ///< of each segment, before any try
   TrackProof proof;
@@ -73,17 +81,13 @@ Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept;
 /// True if the check refused a plan because of a track or of a fence for a while.
 bool meets_in_time(const Problem& problem, const ProofReport& found) noexcept;
 
-/// Begins to look for a time for the trajectory. `conflict`: what it met.
-void waiting_begin(const Problem& problem, const EndStop* stops, const Conflict& conflict, Trajectory& trajectory,
+/// Begins to look for a time for the trajectory, such that it takes `longest` seconds at most.
+void waiting_begin(const Problem& problem, const EndStop* stops, double longest, Trajectory& trajectory,
                    ViaMemory& vias, Waiting& waiting) noexcept;
 
 /// A piece of work is one of the proof against tracks. kDone: the trajectory now is clear of all tracks. kFailed: no
-/// wait and no pace helps. `conflict` becomes kGoalCovered if the trajectory, as it was, cannot rest at its end.
-Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Conflict& conflict,
-                         Work& work) noexcept;
-/// After the last try failed: takes the waits and paces out of the durations again, so that the plan ends when the one
-/// that waits for nothing does.
-void waiting_undo(Waiting& waiting, Trajectory& trajectory) noexcept;
+/// wait and no pace helps; the trajectory waits for nothing, as before any try.
+Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Work& work) noexcept;
 
 }  // namespace tern
 

@@ -167,10 +167,20 @@ void Pipeline::go_on_from_check(bool done) noexcept {
 
 /// The plan in memory is clear.
 void Pipeline::take_plan() noexcept {
-  Layout& memory = *memory_;
-  left_ = memory.stage.check.proof.left();
-  rest_until_ = rest_clear_until(memory.stage.check);
-  if (follows() || !prefers_remainder(attempts_.follow, memory.trajectory)) {
+  note_rest();
+  end_plan();
+}
+
+/// Notes what the check found of the plan's ends.
+void Pipeline::note_rest() noexcept {
+  const CheckStage& check = memory_->stage.check;
+  left_ = check.proof.left();
+  rest_until_ = rest_clear_until(check);
+}
+
+/// The plan in memory is the answer, if the remainder of the previous plan is not.
+void Pipeline::end_plan() noexcept {
+  if (follows() || !prefers_remainder(attempts_.follow, memory_->trajectory)) {
     end(Stage::kCheck, Status::kOk);
     return;
   }

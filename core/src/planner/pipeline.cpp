@@ -66,12 +66,12 @@ TrackGrounds tracks_of(const Problem& problem) {
   return grounds;
 }
 
-/// The check of the whole plan, with hints for it.
-Progress prove_plan(const Problem& problem, const CheckQuery& query, Layout& memory, Work& work) {
+/// The check of the whole plan, with the hints of a corridor.
+Progress prove_plan(const CheckQuery& query, const Corridor& corridor, const Grid& grid, Layout& memory, Work& work) {
   CheckStage& stage = memory.stage.check;
-  const Progress hinted = hints_advance(world_of(memory.world), &memory.corridor, memory.trajectory, stage.hints, work);
+  const Progress hinted = hints_advance(world_of(memory.world), &corridor, memory.trajectory, stage.hints, work);
   if (hinted != Progress::kDone) return hinted;
-  return check_advance(stage, *problem.grid, memory.corridor, memory.trajectory, query, work);
+  return check_advance(stage, grid, corridor, memory.trajectory, query, work);
 }
 
 }  // namespace
@@ -198,8 +198,8 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kTracks:
-      if (attempts_.around.is_looking || attempts_.around.is_flooding) return;
-      return waiting_begin(problem_, m.stops, conflict_, m.trajectory, m.vias, attempts_.waiting);
+      if (attempts_.waiting.is_tried || attempts_.around.is_looking || attempts_.around.is_flooding) return;
+      return waiting_begin(problem_, m.stops, longest_of(attempts_.around), m.trajectory, m.vias, attempts_.waiting);
     case Stage::kRequest:
     case Stage::kWorld:
       break;
@@ -223,8 +223,8 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kTrajectory:
       return curves_advance(m.stage.trajectory, curves_, m.trajectory, work);
     case Stage::kCheck:
-      return prove_plan(problem_, check_query(problem_, m, entered(), follows() || attempts_.follow.leads_plan), m,
-                        work);
+      return prove_plan(check_query(problem_, m, entered(), follows() || attempts_.follow.leads_plan),
+                        attempts_.around.is_waiting ? m.around.alone.corridor : m.corridor, *problem_.grid, m, work);
     case Stage::kDetour:
       return detour_advance(problem_, m.path, work);
     case Stage::kPrevious:
@@ -245,20 +245,20 @@ Progress Pipeline::run(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// If the goal is covered, it also looks from when on it is free.
+/// Tries to wait. If that does not help and nothing else is left to try, looks whether the goal is covered.
 Progress Pipeline::look_for_time(Work& work) noexcept {
   Trajectory& trajectory = memory_->trajectory;
   const TrackGrounds grounds = tracks_of(problem_);
-  if (!goal_free_.is_proving) {
-    const Progress found = waiting_advance(grounds, trajectory, attempts_.waiting, conflict_, work);
-    const bool is_known = conflict_.status != Status::kGoalCovered || goal_free_.is_sought;
-    if (found != Progress::kFailed || is_known) return found;
-    waiting_undo(attempts_.waiting, trajectory);
-    goal_free_begin(duration(trajectory), goal_free_);
+  Waiting& waiting = attempts_.waiting;
+  if (!waiting.is_over) {
+    const Progress found = waiting_advance(grounds, trajectory, waiting, work);
+    if (found != Progress::kFailed || attempts_.around.is_active) return found;
   }
+  if (conflict_.status == Status::kStartInContact) return Progress::kFailed;
+  if (!goal_free_.is_sought) goal_free_begin(duration(trajectory), goal_free_);
   TrackProof& proof = memory_->stage.check.at_end;  // no stage needs it now
-  return goal_free_advance(grounds, trajectory, goal_free_, proof, work) == Progress::kMore ? Progress::kMore
-                                                                                            : Progress::kFailed;
+  const Progress looked = goal_free_advance(grounds, trajectory, goal_free_, conflict_, proof, work);
+  return looked == Progress::kMore ? Progress::kMore : Progress::kFailed;
 }
 
 /// The current stage has spent its budget. The optimiser then keeps the best plan that it has; other stages fail.

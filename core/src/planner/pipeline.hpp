@@ -86,6 +86,8 @@ class Pipeline {
   void go_on_from_trajectory(bool done) noexcept;
   void go_on_from_check(bool done) noexcept;
   void take_plan() noexcept;
+  void note_rest() noexcept;
+  void end_plan() noexcept;
   void go_on_from_previous(bool done) noexcept;
   void go_on_from_stop(bool done) noexcept;
   void go_on_from_nearest(bool done) noexcept;
@@ -101,8 +103,13 @@ class Pipeline {
   void begin_around() noexcept;
   void go_on_around(bool done) noexcept;
   void judge_around(bool is_clear) noexcept;
+  void keep_found() noexcept;
+  void take_found() noexcept;
+  void take_alone() noexcept;
+  void begin_wait() noexcept;
+  void end_wait(bool may_wait) noexcept;
   void next_seed() noexcept;
-  void give_up_around() noexcept;
+  void end_around() noexcept;
   Operations kept_for_seeds() const noexcept;
 
   /// The trajectory in memory is the previous plan.

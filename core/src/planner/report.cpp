@@ -60,7 +60,7 @@ void Pipeline::write(Report& report) const noexcept {
   if (planned) report.entered = entered();
   if (planned) report.track = left_;
   if (planned) report.rest_clear_until = rest_until_;
-  if (planned) report.waits = attempts_.waiting.waits;
+  if (planned && !attempts_.around.is_active) report.waits = attempts_.waiting.waits;
   const bool is_by_track = status_ == conflict_.status || status_ == Status::kBudgetTracks;
   if (status_ != Status::kOk && is_by_track) {
     report.track = conflict_.track;
