@@ -85,7 +85,7 @@ std::string clearance_line(double clearance, const PlanResult& result) {
 
 /// What was not kept clear of: the things that the plan has nothing to do with, and the one that it begins too near to.
 std::string exceptions_of(const PlanResult& result) {
-  const double begin = 1e-9 * static_cast<double>(result.trajectory.begin);
+  const double begin = tern_host::seconds_of(result.trajectory.begin);
   const double end = begin + tern::duration(result.trajectory) + result.scenario.rest_clear;
   const std::string absent = tern_host::absence_text(tern_host::presences_of(result.scenario), begin, end);
   std::string text;

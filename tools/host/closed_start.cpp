@@ -27,8 +27,8 @@ struct Closed {
 std::optional<Closed> closed(const FenceRecord& record, const Vec3& start) {
   const tern::Fence& fence = record.fence;
   if (fence.kind != tern::FenceKind::kKeepOut || !tern::is_timed(fence)) return std::nullopt;
-  return Closed{static_cast<double>(fence.from) / 1e9 - fence.clock_error,
-                static_cast<double>(fence.until) / 1e9 + fence.clock_error, fence_gap(record, start)};
+  const FenceSpan span = span_of(fence);
+  return Closed{span.from, span.until, fence_gap(record, start)};
 }
 
 /// Of a keep-out box, which is a thing that stands there.

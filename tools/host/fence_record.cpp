@@ -238,6 +238,11 @@ std::string zone_text(const std::vector<FenceRecord>& fences, std::int32_t index
   return zone.empty() ? "" : " (" + zone + ")";
 }
 
+FenceSpan span_of(const tern::Fence& fence) {
+  const double wider = fence.kind == tern::FenceKind::kKeepOut ? fence.clock_error : -fence.clock_error;
+  return {static_cast<double>(fence.from) / 1e9 - wider, static_cast<double>(fence.until) / 1e9 + wider};
+}
+
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records) {
   std::vector<tern::Fence> fences;
   for (const FenceRecord& record : records) {

@@ -72,6 +72,14 @@ bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind);
 /// A keep-out that holds for a while, or one that always holds.
 bool has_keepout(const std::vector<FenceRecord>& fences, bool for_a_while);
 
+/// When a fence for a while may count, s of its clock: a keep-out for longer by the clock's error at both ends, a
+/// keep-in for less.
+struct FenceSpan {
+  double from;
+  double until;
+};
+FenceSpan span_of(const tern::Fence& fence);
+
 /// The fences as the core takes them: views of these.
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records);
 

@@ -30,7 +30,7 @@ double stays_from(const Track& track) {
   return track.end == TrackEnd::kGoesOn ? last : std::fmin(last, seconds_of(track.until));
 }
 
-/// True if the tube of a thing grows for ever, faster than the thing moves.
+/// True if the tube of a thing grows without end, faster than the thing moves.
 bool grows_for_good(const Track& track) {
   if (track.end == TrackEnd::kReach) return track.reach > 0.0;
   if (track.end != TrackEnd::kGoesOn) return false;

@@ -22,9 +22,9 @@ std::vector<Presence> presences_of(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.fences.size(); ++k) {
     const tern::Fence& fence = scenario.fences[k].fence;
     if (!tern::is_timed(fence)) continue;
-    const double wider = fence.kind == tern::FenceKind::kKeepOut ? fence.clock_error : -fence.clock_error;
+    const FenceSpan span = span_of(fence);
     all.push_back({"fence " + std::to_string(k + 1) + zone_text(scenario.fences, static_cast<std::int32_t>(k)),
-                   seconds_of(fence.from) - wider, seconds_of(fence.until) + wider});
+                   span.from, span.until});
   }
   return all;
 }

@@ -138,7 +138,8 @@ class Tick:
     """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, for how many
     nanoseconds no frame was entered into the map, and what is in the way ("nothing", "unseen", "obstacle", "window",
     "fence"), where (world frame, metres), and for a fence its index among the flight's, otherwise -1. Then how far the
-    vehicle was last measured to be off the plan, metres, and the part of its speed that this leaves. `report` is the whole answer as C gives it."""
+    vehicle was last measured to be off the plan, metres, and the part of its speed that this leaves. `report`
+    is the whole answer as C gives it."""
     mode: str
     reason: str
     arrived: bool

@@ -125,11 +125,9 @@ RunJson things_json(const PlanResult& result) {
 RunJson windows_json(const Scenario& scenario) {
   RunJson list = RunJson::array();
   for (const FenceRecord& record : scenario.fences) {
-    const tern::Fence& fence = record.fence;
-    const double wider = fence.kind == tern::FenceKind::kKeepOut ? fence.clock_error : -fence.clock_error;
-    const double from = 1e-9 * static_cast<double>(fence.from) - scenario.start_time - wider;
-    const double until = 1e-9 * static_cast<double>(fence.until) - scenario.start_time + wider;
-    list.push_back(tern::is_timed(fence) ? RunJson({rounded(from), rounded(until)}) : RunJson(nullptr));
+    const FenceSpan span = span_of(record.fence);
+    const RunJson times{rounded(span.from - scenario.start_time), rounded(span.until - scenario.start_time)};
+    list.push_back(tern::is_timed(record.fence) ? times : RunJson(nullptr));
   }
   return list;
 }
