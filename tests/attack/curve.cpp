@@ -36,6 +36,18 @@ void split(const Curve& curve, Curve& left, Curve& right) {
   right.from = middle;
 }
 
+Curve between(const Curve& curve, Real from, Real to) {
+  Curve result = curve;
+  for (int level = 1; level <= curve.degree; ++level) {
+    for (int i = curve.degree; i >= level; --i) result.p[i] = (1 - to) * result.p[i - 1] + to * result.p[i];
+  }
+  const Real u = to > 0 ? from / to : 0;
+  for (int level = 1; level <= curve.degree; ++level) {
+    for (int i = 0; i <= curve.degree - level; ++i) result.p[i] = (1 - u) * result.p[i] + u * result.p[i + 1];
+  }
+  return result;
+}
+
 Point value(const Curve& curve, Real u) {
   Curve work = curve;
   for (int level = 1; level <= curve.degree; ++level) {

@@ -27,6 +27,8 @@ Curve line(const Point& from, const Point& to);
 Curve derivative(const Curve& curve, Real duration);
 /// The halves of a piece.
 void split(const Curve& curve, Curve& left, Curve& right);
+/// What lies between two parameters, 0 <= from <= to <= 1, as a curve of its own.
+Curve between(const Curve& curve, Real from, Real to);
 /// The value at u within [0, 1] of the piece.
 Point value(const Curve& curve, Real u);
 /// Largest coordinate, and largest length, of all coefficients.

@@ -39,7 +39,8 @@ struct Chain {
       const Real lasts = pieces[i].duration;
       if (from <= lasts) {
         const Curve first = derivative(curve_of(pieces[i].points), lasts);
-        most = std::max(most, longest(order == 1 ? first : derivative(first, lasts)));
+        const Curve whole = order == 1 ? first : derivative(first, lasts);
+        most = std::max(most, longest(between(whole, std::max<Real>(0, from / lasts), std::min<Real>(1, to / lasts))));
       }
       from -= lasts;
       to -= lasts;

@@ -49,6 +49,23 @@ Real room_of(const Fence& fence, const Point& p, const Point& origin) {
   return most > 0 ? std::sqrt(square) : most;
 }
 
+/// A piece of a plan: it stays within `bend` of the straight line between its ends.
+struct Stretch {
+  Point begin, end;
+  Real bend;
+
+  /// The least that it is beyond a plane, on one side (1) or the other (-1), can be.
+  Real beyond_at_least(const Halfspace& plane, Real side, const Point& origin) const {
+    return std::min(side * beyond(plane, begin, origin), side * beyond(plane, end, origin)) - bend;
+  }
+};
+
+Stretch stretch_of(const tern::Trajectory& plan, const Interval& piece) {
+  const Chain<tern::Segment> chain = chain_of(plan);
+  const Real lasts = piece.end - piece.begin;
+  return {chain.place(piece.begin), chain.place(piece.end), chain.most(2, piece.begin, piece.end) * lasts * lasts / 8};
+}
+
 struct Held {
   const tern::Request& request;
   const tern::Trajectory& plan;
@@ -74,11 +91,43 @@ struct Held {
     return has_keep_in ? std::min(least, inside) : least;
   }
 
+  /// True if a plane of a keep-out, or all planes of a keep-in, say that a stretch has room.
+  bool plane_says_so(const Fence& fence, const Stretch& stretch, Real slack) const {
+    const bool keeps_in = fence.kind == FenceKind::kKeepIn;
+    int sure = 0;
+    for (int i = 0; i < fence.count; ++i) {
+      const Real room = stretch.beyond_at_least(fence.planes[i], keeps_in ? -1 : 1, point(plan.origin));
+      sure += room >= (keeps_in ? -slack : radius - slack) ? 1 : 0;
+    }
+    return sure == fence.count || (!keeps_in && sure > 0);
+  }
+
+  /// True if planes say that there is room throughout a piece without an instant of change. This decides plans that
+  /// slide along a plane, which the speed alone does not.
+  bool planes_say_so(const Interval& piece, Real slack) const {
+    const Stretch stretch = stretch_of(plan, piece);
+    bool is_inside = false;
+    bool has_keep_in = false;
+    for (int k = 0; k < request.fence_count; ++k) {
+      const Fence& fence = request.fences[k];
+      if (!tern::is_timed(fence)) continue;
+      const bool keeps_in = fence.kind == FenceKind::kKeepIn;
+      has_keep_in = has_keep_in || keeps_in;
+      if (piece.end < window_begin(fence, plan) || piece.begin > window_end(fence, plan)) continue;
+      const bool says_so = plane_says_so(fence, stretch, slack);
+      is_inside = is_inside || (keeps_in && says_so);
+      if (!keeps_in && !says_so) return false;
+    }
+    return is_inside || !has_keep_in;
+  }
+
   /// Whether there is room but for `slack` between two instants of change; if not, `when` gets the time.
   Proof holds(Real begin, Real end, Real slack, Real& when) const {
     const auto room_at = [&](Real t) { return room(t); };
     const auto is_sure = [&](const Interval& piece, Real found) {
-      return found - chain_of(plan).most(1, piece.begin, piece.end) * (piece.end - piece.begin) / 2 >= -slack;
+      const Real lasts = piece.end - piece.begin;
+      return found - chain_of(plan).most(1, piece.begin, piece.end) * lasts / 2 >= -slack ||
+             planes_say_so(piece, slack);
     };
     return stays_above(-slack, {begin, end}, room_at, is_sure, when);
   }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "attack/in_time.hpp"
 #include "attack/straight_plan.hpp"
 
 namespace tern_attack {
@@ -40,6 +41,18 @@ class Windows : public testing::Test {
   tern::Halfspace room_[tern::kBoxPlanes];
 };
 
+/// A plan that turns round is slower than its control points say, but for its ends.
+TEST(Chains, TheMostIsThatOfTheTimeAskedFor) {
+  tern::Trajectory plan = straight_plan();
+  for (int k = 0; k < tern::kControlPoints; ++k) plan.segments[0].points[k].x = k == 0 || k == 7 ? 0.0 : 1.0;
+  const Chain<tern::Segment> chain = chain_of(plan);
+  EXPECT_NEAR(static_cast<double>(chain.most(1, 0.0L, 2.0L)), 3.5, 1e-12);
+  for (const Real t : {0.0L, 0.3L, 1.0L, 1.9L, 2.0L}) {
+    const double most = static_cast<double>(chain.most(1, t, std::min<Real>(2.0L, t + 1e-6L)));
+    EXPECT_NEAR(most, static_cast<double>(length(chain.velocity(std::min<Real>(t, 2.0L - 1e-12L)))), 2e-5) << most;
+  }
+}
+
 /// The plan is too near to the wall from 0.75 s to 1.5 s.
 TEST_F(Windows, KeepOut) {
   EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, 0.0, 2.0));
@@ -48,6 +61,18 @@ TEST_F(Windows, KeepOut) {
   EXPECT_FALSE(broken(tern::FenceKind::kKeepOut, 0.0, 0.75));
   EXPECT_FALSE(broken(tern::FenceKind::kKeepOut, 1.5, 2.0));
   EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, 1.51, 2.0, 0.02));
+}
+
+/// Thirty nanometres decide between a plan that slides along a wall and one that is too near, at any speed.
+TEST_F(Windows, AlongAWall) {
+  for (const double y : {0.5, 0.5 - 3e-8, 0.5 + 1e-8}) {
+    tern::box_planes({{-1.0, y, -1.0}, {5.0, 2.0, 1.0}}, wall_);
+    EXPECT_EQ(broken(tern::FenceKind::kKeepOut, -1.0, 3.0), y < 0.5) << y;
+  }
+  for (const double y : {0.0, 1e-9, -3e-8}) {
+    tern::box_planes({{-1.0, -1.0, -1.0}, {5.0, y, 1.0}}, room_);
+    EXPECT_EQ(broken(tern::FenceKind::kKeepIn, -1.0, 3.0), y < 0.0) << y;
+  }
 }
 
 /// The plan leaves the room after 2 s; it is 1 m too far then.
