@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A city of 5 x 5 x 0.15 km for far ways: blocks of 60 m, streets of 20 m, and four in ten of them built over for the
-// length of a block.
+// A city of 5 x 5 x 0.15 km for far ways: blocks of 60 m, streets of 20 m or as wide as they come, and four in ten of
+// them built over for the length of a block.
 #ifndef TERN_BENCH_CITY_HPP
 #define TERN_BENCH_CITY_HPP
 
@@ -22,6 +22,7 @@ struct City {
   double low, high;  ///< roofs, metres
   double ceiling;    ///< of the flight
   double edge = kCityEdge;
+  double narrowest = kStreet, widest = kStreet;
 };
 
 /// Cells from face to face, the last one in part beyond it.
@@ -35,18 +36,26 @@ inline tern::GridSpec city_spec(const City& city, double cell) {
   return {{0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {city.edge, city.edge, city.ceiling}}, 0.0, 0.0};
 }
 
-/// Marks the city in a grid of city_spec(), and inflates it.
+/// Marks what a grid holds of the city, and inflates it.
 inline void build_city(const City& city, tern::Grid& grid) {
   tern_test::Random random(1);
-  for (double x = kStreet; x + kBlock < city.edge; x += kBlock + kStreet) {
-    for (double y = kStreet; y + kBlock < city.edge; y += kBlock + kStreet) {
+  tern_test::Random columns(2);
+  double x = columns.real(city.narrowest, city.widest);
+  while (x + kBlock < city.edge) {
+    const double east_end = x + kBlock + columns.real(city.narrowest, city.widest);
+    tern_test::Random rows(3);
+    double y = rows.real(city.narrowest, city.widest);
+    while (y + kBlock < city.edge) {
+      const double north_end = y + kBlock + rows.real(city.narrowest, city.widest);
       const double roof = random.real(city.low, city.high);
       const bool east = random.chance(0.2);
       const bool north = random.chance(0.2);
       grid.mark_box({{x, y, 0.0}, {x + kBlock, y + kBlock, roof}});
-      if (east) grid.mark_box({{x + kBlock, y, 0.0}, {x + kBlock + kStreet, y + kBlock, roof}});
-      if (north) grid.mark_box({{x, y + kBlock, 0.0}, {x + kBlock, y + kBlock + kStreet, roof}});
+      if (east) grid.mark_box({{x + kBlock, y, 0.0}, {east_end, y + kBlock, roof}});
+      if (north) grid.mark_box({{x, y + kBlock, 0.0}, {x + kBlock, north_end, roof}});
+      y = north_end;
     }
+    x = east_end;
   }
   grid.inflate();
 }

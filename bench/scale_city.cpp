@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "city.hpp"
+#include "host/fine_parts.hpp"
 #include "host/session.hpp"
 #include "quantile.hpp"
 #include "scale_rows.hpp"
@@ -29,6 +30,7 @@ constexpr double kDrawn = 60.0;  ///< metres: the ceiling of the city whose rows
 struct CityGrid {
   double edge, cell;
 };
+const City kNarrow = {45.0, kCityHeight, 40.0, kCityEdge, 4.0, 8.0};
 const CityGrid kGrids[] = {{kCityEdge, 16.0}, {kCityEdge, 8.0}, {kCityEdge, 4.0}, {1800.0, 2.0}};
 
 double milliseconds_since(std::uint64_t begin) {
@@ -87,12 +89,29 @@ CityRow find_ways(const City& city, tern::Grid& grid) {
   return row;
 }
 
-void over_city(const City& city, double cell, std::ofstream& csv) {
+/// Of all the cells below the ceiling.
+double free_share(const tern::Grid& grid) {
+  std::int64_t free = 0;
+  const tern::Voxel dims = grid.spec().dims;
+  for (std::int32_t z = 0; z < dims.z; ++z) {
+    for (std::int32_t y = 0; y < dims.y; ++y) {
+      for (std::int32_t x = 0; x < dims.x; ++x) free += grid.free({x, y, z}) ? 1 : 0;
+    }
+  }
+  return static_cast<double>(free) * grid.spec().cell / grid.spec().boundary.upper.z / dims.x / dims.y;
+}
+
+void over_city(const City& city, double cell, bool is_fine, std::ofstream& csv) {
   const tern::GridSpec spec = city_spec(city, cell);
   std::vector<std::uint64_t> words(tern::grid_words(spec.dims));
   tern::Grid grid;
   if (grid.bind(spec, words.data(), words.size()) != tern::Status::kOk) return;
-  build_city(city, grid);
+  const tern_host::Clock clock = tern_host::platform_clock();
+  const std::uint64_t begin = clock.read(clock.context);
+  if (is_fine) tern_host::mark_from_fine(grid, [&](tern::Grid& fine) { build_city(city, fine); });
+  if (!is_fine) build_city(city, grid);
+  std::printf("%s in %.0f ms, %.1f %% free; ", is_fine ? "from voxels of a quarter of the cell" : "from boxes",
+              milliseconds_since(begin), 100.0 * free_share(grid));
   const CityRow row = find_ways(city, grid);
   const double cells = static_cast<double>(spec.dims.x) * spec.dims.y * spec.dims.z;
   std::printf(
@@ -101,7 +120,7 @@ void over_city(const City& city, double cell, std::ofstream& csv) {
       1e-3 * city.edge, city.low, city.high, city.ceiling, cell, cells, 8e-6 * static_cast<double>(words.size()),
       row.found, kWays, 1e-3 * row.longest, quantile(row.units, 0.5), quantile(row.units, 1.0),
       quantile(row.times, 0.5), quantile(row.times, 1.0));
-  if (city.ceiling != kDrawn || city.edge < kCityEdge) return;
+  if (is_fine || city.ceiling != kDrawn || city.edge < kCityEdge) return;
   csv << "coarse cells," << cells << ',' << row.found << ',' << kWays << ",0,0,0,0,0,0,0," << quantile(row.units, 0.5)
       << ",0,0\n";
 }
@@ -112,9 +131,13 @@ void over_cities(std::ofstream& csv) {
   for (City city : kCities) {
     for (const CityGrid& grid : kGrids) {
       city.edge = grid.edge;
-      over_city(city, grid.cell, csv);
+      over_city(city, grid.cell, false, csv);
     }
+    city.edge = kCityEdge;
+    over_city(city, 4.0, true, csv);
   }
+  over_city(kNarrow, 4.0, false, csv);
+  over_city(kNarrow, 4.0, true, csv);
 }
 
 }  // namespace tern_bench

@@ -12,15 +12,26 @@
 
 namespace {
 
-/// A coarse grid of 320 x 320 x 16 m in cells of 4 m, with a court of three walls that is open towards -x.
-std::vector<std::uint64_t> make_coarse(tern::Grid& coarse) {
+/// 320 x 320 x 16 m in cells of this edge.
+std::vector<std::uint64_t> bind(double cell, tern::Grid& grid) {
   const tern::Box all{{-160.0, -160.0, 0.0}, {160.0, 160.0, 16.0}};
-  const tern::GridSpec spec{all.lower, 4.0, {80, 80, 4}, all, 0.0, 0.0};
+  const int level = static_cast<int>(320.0 / cell);
+  const tern::GridSpec spec{all.lower, cell, {level, level, static_cast<int>(16.0 / cell)}, all, 0.0, 0.0};
   std::vector<std::uint64_t> words(tern::grid_words(spec.dims));
-  coarse.bind(spec, words.data(), words.size());
-  coarse.mark_box({{20.0, -40.0, 0.0}, {24.0, 40.0, 16.0}});
-  coarse.mark_box({{-20.0, -40.0, 0.0}, {24.0, -36.0, 16.0}});
-  coarse.mark_box({{-20.0, 36.0, 0.0}, {24.0, 40.0, 16.0}});
+  grid.bind(spec, words.data(), words.size());
+  return words;
+}
+
+/// A coarse grid with a court of three walls that is open towards -x.
+std::vector<std::uint64_t> make_coarse(tern::Grid& coarse) {
+  tern::Grid fine;
+  const std::vector<std::uint64_t> fine_words = bind(1.0, fine);
+  std::vector<std::uint64_t> words = bind(4.0, coarse);
+  fine.mark_box({{20.0, -40.0, 0.0}, {24.0, 40.0, 16.0}});
+  fine.mark_box({{-20.0, -40.0, 0.0}, {24.0, -36.0, 16.0}});
+  fine.mark_box({{-20.0, 36.0, 0.0}, {24.0, 40.0, 16.0}});
+  fine.inflate();
+  coarse.mark_grid(fine);
   coarse.inflate();
   return words;
 }

@@ -128,6 +128,28 @@ TEST(CPlanner, MeasuresWithAClock) {
   EXPECT_GT(now, 10u);
 }
 
+TEST(CPlanner, AFineGridMarksACoarseOne) {
+  const auto bind = [](tern_grid& grid, double cell, tern_voxel dims, std::vector<std::uint64_t>& words) {
+    words.resize(tern_grid_words(dims));
+    const tern_grid_spec spec{{0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {4.0, 1.0, 1.0}}, 0.0, 0.0};
+    return tern_grid_bind(&grid, &spec, words.data(), words.size());
+  };
+  tern_grid fine{}, coarse{};
+  std::vector<std::uint64_t> fine_words, coarse_words;
+  ASSERT_EQ(bind(fine, 0.25, {16, 4, 4}, fine_words), kOk);
+  ASSERT_EQ(bind(coarse, 1.0, {4, 1, 1}, coarse_words), kOk);
+  const tern_box wall{{1.0, 0.0, 0.0}, {1.75, 1.0, 1.0}};
+  ASSERT_EQ(tern_grid_mark_box(&fine, &wall), kOk);
+  std::uint8_t field = 0;
+  EXPECT_EQ(tern_grid_mark_grid(&coarse, &fine, &field), kInvalid);
+  EXPECT_STREQ(tern_field_name(field), "grid not inflated");
+  ASSERT_EQ(tern_grid_inflate(&fine), kOk);
+  const std::uint64_t* const row = coarse_words.data() + 8;  // behind the header
+  EXPECT_EQ(*row, 0u);
+  EXPECT_EQ(tern_grid_mark_grid(&coarse, &fine, nullptr), kOk);
+  EXPECT_EQ(*row, 2u);
+}
+
 TEST(CPlanner, RefusesNullPointers) {
   PlannerInC c;
   tern_grid none{};
@@ -139,6 +161,8 @@ TEST(CPlanner, RefusesNullPointers) {
     EXPECT_EQ(tern_grid_clear_box(grid, &kBlock), kInvalid);
     EXPECT_EQ(tern_grid_mark_cylinder(grid, &trunk), kInvalid);
     EXPECT_EQ(tern_grid_mark_points(grid, &kBlock.lower, 1, nullptr), kInvalid);
+    EXPECT_EQ(tern_grid_mark_grid(grid, &c.grid, nullptr), kInvalid);
+    EXPECT_EQ(tern_grid_mark_grid(&c.grid, grid, nullptr), kInvalid);
     EXPECT_EQ(tern_grid_inflate(grid), kInvalid);
   }
   EXPECT_EQ(tern_grid_mark_box(&c.grid, nullptr), kInvalid);

@@ -178,6 +178,21 @@ class Plans(unittest.TestCase):
         plan = self.planner.plan(grid, (1, 1, 1), (9, 1, 1), LIMITS).trajectory
         np.testing.assert_array_equal(plan.control_points, self.plan.control_points)
 
+    def test_a_fine_grid_marks_a_coarse_one(self):
+        fine = tern.Grid((0, 0, 0), 1.0, (24, 8, 4), 0.0)
+        fine.mark_box((8, 0, 0), (9, 8, 4))   # a wall of one voxel, that leaves most of its cells free
+        fine.mark_box((7, 0, 0), (8, 7, 4))   # and one beside it, which parts their neighbours from them
+        coarse = tern.Grid((0, 0, 0), 4.0, (6, 2, 1), 0.0)
+        with self.assertRaisesRegex(tern.TernError, "not inflated"):
+            coarse.mark_grid(fine)
+        fine.inflate()
+        coarse.mark_grid(fine)
+        coarse.inflate()
+        report = self.planner.plan(coarse, (2, 2, 2), (22, 2, 2), LIMITS).report
+        self.assertEqual(report.status, "no_path")
+        with self.assertRaisesRegex(tern.TernError, "cell"):
+            fine.mark_grid(coarse)
+
     def test_refusals(self):
         with self.assertRaises(tern.TernError) as raised:
             tern.Grid((0, 0, 0), -0.1, (10, 10, 10), 0.3)

@@ -51,6 +51,9 @@ struct Cylinder {
   double height;  ///< >= 0
 };
 
+/// Voxels along an edge of the coarse cell that Grid::mark_grid() makes of them.
+constexpr int32_t kFineVoxels = 4;
+
 /// Smallest and largest voxel edge, metres.
 constexpr double kMinCell = 1e-6;
 constexpr double kMaxCell = 1e6;
@@ -112,6 +115,21 @@ class Grid {
   /// to the voxel above it. Points outside the grid are skipped; `inside`, which may be null, gets the number of the
   /// others. kNonFiniteInput if any point is not finite; kInvalidArgument if `world` is null and count > 0.
   Status mark_points(const Vec3* world, size_t count, size_t* inside = nullptr) noexcept;
+  /// Marks what a fine grid closes in this coarse one, whose cells are 4 x 4 x 4 (kFineVoxels) voxels of the fine grid.
+  /// A cell is closed if less than half of it is one connected part of free voxels, or if its part does not meet that
+  /// of a neighbour through their common face, and is the smaller of the two (of equal ones, the one further along the
+  /// axis). So through any two cells that share a face and are not closed, there is a way from free voxel to free
+  /// voxel. A cell that is wholly free is never closed.
+  ///
+  /// The fine grid's first voxel must be that of a coarse cell. Cells that it does not hold as a whole, or that are
+  /// outside this grid, stay as they are. A world that is too large for one fine grid is marked in overlapping parts:
+  /// docs/far_way.md. Each cell that is closed counts as a mark of its own for revision(). Not sliced: for the time
+  /// before a flight.
+  ///
+  /// kOk; kInvalidArgument, and `field`, which may be null, says why: kStorage: a grid is not bound; kNotInflated: the
+  /// fine grid is not inflated; kCell: this grid's cell is not 4 times the fine one's; kOrigin: the fine grid does not
+  /// begin at a corner of a cell.
+  Status mark_grid(const Grid& fine, Field* field = nullptr) noexcept;
 
   /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary. It computes only the
   /// words near changed obstacles; the result is the same as for all words. It does nothing if nothing changed, or on a

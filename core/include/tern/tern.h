@@ -353,6 +353,10 @@ uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
  * the number of the others and may be null. `world` may be null if count is 0. ok, non_finite_input (nothing is marked)
  * or invalid_argument. */
 uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, size_t count, size_t* inside);
+/* Marks in a coarse grid what a fine one closes: tern::Grid::mark_grid(). The coarse grid's cell is four times the fine
+ * one's, and the fine grid, which is inflated, begins at a corner of a coarse cell. ok or invalid_argument; `field`,
+ * which may be null, gets the tern_field that does not fit. */
+uint8_t tern_grid_mark_grid(tern_grid* coarse, const tern_grid* fine, uint8_t* field);
 /* Makes the grid ready to be planned on. Call it once after any number of binds, marks and clears. ok, or
  * invalid_argument for a grid that is not bound. */
 uint8_t tern_grid_inflate(tern_grid* grid);

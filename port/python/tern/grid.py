@@ -57,6 +57,14 @@ class Grid:
         require(lib.tern_grid_mark_points(self.struct, pointer, len(memory), inside), "points")
         return int(inside[0])
 
+    def mark_grid(self, fine: Grid) -> None:
+        """Marks what an inflated fine grid closes in this coarse one, for a far way. This grid's cell is four times the
+        fine one's, and the fine grid begins at a corner of a cell of this one. Each cell that is not marked is half
+        free at least, and neighbours that are not are joined by free voxels."""
+        field = ffi.new("uint8_t*")
+        status = lib.tern_grid_mark_grid(self.struct, fine.struct, field)
+        require(status, ffi.string(lib.tern_field_name(field[0])).decode())
+
     def inflate(self) -> None:
         """Makes the grid ready to be planned on, after any number of marks."""
         require(lib.tern_grid_inflate(self.struct), "grid")

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/fine_parts.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -34,13 +35,12 @@ tern::GridSpec coarse_spec(const FlightWorld& world) {
   return spec;
 }
 
-void mark_known(const FlightWorld& world, tern::Grid& coarse) {
+void mark_known(const FlightWorld& world, tern::Grid& fine) {
   for (std::size_t k = 0; k < world.blocks.size(); ++k) {
     const bool is_known = std::find(world.unmapped.begin(), world.unmapped.end(), k) == world.unmapped.end();
-    if (is_known) coarse.mark_box(world.blocks[k]);
+    if (is_known) fine.mark_box(world.blocks[k]);
   }
-  for (const Cylinder& c : world.cylinders) coarse.mark_cylinder({{c.x, c.y, c.bottom}, c.radius, c.top - c.bottom});
-  coarse.inflate();
+  for (const Cylinder& c : world.cylinders) fine.mark_cylinder({{c.x, c.y, c.bottom}, c.radius, c.top - c.bottom});
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ FarGuide::FarGuide(const FlightWorld& world)
     throw std::runtime_error(world.name + ": a coarse grid of this boundary in cells of " +
                              brief(world.settings.far_cell) + " m has too many cells; set a larger far_cell");
   }
-  mark_known(world, coarse_);
+  mark_from_fine(coarse_, [&](tern::Grid& fine) { mark_known(world, fine); });
   far_.start({std::min(ahead_of(world), tern::kMostAhead * spec.cell)}, coarse_, planner_);
   far_.set_goal(world.goal);
 }
