@@ -41,7 +41,7 @@ std::string describe(const Status& status) {
          at(plus(status.report.blocked_at, status.offset));
 }
 
-Onboard::Onboard(const Settings& settings)
+Onboard::Onboard(const Settings& settings, std::unique_ptr<Detector> detector)
     : settings_(settings),
       map_spec_(map_spec_of(settings.map)),
       spec_(flight_spec_of(settings)),
@@ -50,11 +50,18 @@ Onboard::Onboard(const Settings& settings)
       map_words_(tern::map_words(map_spec_)),
       flight_words_(tern::flight_words(map_spec_.dims)),
       poses_(settings.watch),
-      sensors_(settings.watch, map_spec_.pixels),
+      detector_(std::move(detector)),
+      sensors_(settings.watch, map_spec_.pixels, detector_.get()),
       things_(settings.things),
       wish_(settings.fly) {
   const std::string fault = settings_fault(settings);
   if (!fault.empty()) throw std::invalid_argument(fault);
+  const std::string& clusters = settings.things.clusters;
+  if (clusters != "none" && detector_ == nullptr) {
+    throw std::invalid_argument("parameter clusters = \"" + clusters +
+                                "\" is refused: this program was built without Tern's tracker. Build Tern with "
+                                "TERN_BUILD_TRACKER, which needs Boost, and the program again");
+  }
   if (slow_for_beyond(settings, spec_) != tern::Status::kOk) {
     throw std::invalid_argument(
         "parameter detector_range is refused: the vehicle could not stop in it for a thing of beyond_speed, however "
@@ -68,6 +75,7 @@ Onboard::Onboard(const Settings& settings)
   spec_.fences = fence_.count > 0 ? &fence_ : nullptr;
   spec_.fence_count = fence_.count > 0 ? 1 : 0;
   try_settings();
+  if (clusters != "none") notices_.say("what the sensors see move is tracked, as of class " + clusters);
 }
 
 /// Begins a flight anywhere: what it refuses now, it would refuse in the air.

@@ -40,6 +40,10 @@ void Onboard::add_known_points(const std::vector<tern::Vec3>& points) {
 
 void Onboard::add_sighting(const Sighting& sighting, std::int64_t now) {
   const std::lock_guard lock(mutex_);
+  add_locked(sighting, now);
+}
+
+void Onboard::add_locked(const Sighting& sighting, std::int64_t now) {
   const StampedPose* newest = poses_.newest();
   const tern::Vec3 here = newest == nullptr ? tern::Vec3{} : plus(newest->pose.position, poses_.offset());
   things_.add(sighting, newest == nullptr ? nullptr : &here, now, notices_);

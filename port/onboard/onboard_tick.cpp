@@ -21,7 +21,6 @@ void Onboard::tick(std::int64_t now) {
   watch_poses(now);
   if (status_.state != State::kFlying) return;
   if (now < time_ - kBack) set_back(now);
-  things_.tell(flight_, recording_.recorder(), poses_.offset(), time_ + spec_.tick, notices_);
   const std::int64_t due = (now - time_) / spec_.tick;
   if (due > kMostTicks) {
     const std::int64_t skipped = due - kMostTicks;
@@ -35,7 +34,7 @@ void Onboard::tick(std::int64_t now) {
   }
   while (status_.state == State::kFlying && time_ + spec_.tick <= now) {
     time_ += spec_.tick;
-    one_tick();
+    one_tick(now);
   }
   std::int64_t newest = 0;
   for (int k = 0; k < sensors_.count(); ++k) newest = std::max(newest, sensors_.state(k).last_stamp);
@@ -52,8 +51,14 @@ FrameAges Onboard::frame_ages() const {
   return latency_.ages();
 }
 
-void Onboard::one_tick() {
-  if (!map_.busy()) sensors_.enter(map_, recording_.recorder(), poses_, time_, notices_);
+void Onboard::one_tick(std::int64_t now) {
+  if (!map_.busy()) {
+    for (Sighting& seen : sensors_.enter(map_, recording_.recorder(), poses_, time_, notices_)) {
+      seen.position = plus(seen.position, poses_.offset());
+      add_locked(seen, now);
+    }
+  }
+  things_.tell(flight_, recording_.recorder(), poses_.offset(), time_, notices_);
   mark_known();
   const tern::FlightReport before = status_.report;
   record_tick(flight_.tick(time_, status_.report));
@@ -240,13 +245,6 @@ bool Onboard::obstacles(std::vector<tern::Vec3>& centres) const {
       }
     }
   }
-  return true;
-}
-
-bool Onboard::read_map(const std::function<void(const tern::RollingMap& map, const tern::Vec3& offset)>& read) const {
-  const std::lock_guard lock(mutex_);
-  if (status_.state != State::kFlying) return false;
-  read(map_, poses_.offset());
   return true;
 }
 

@@ -127,6 +127,33 @@ std::string rows(const std::vector<Parameter<Of>>& table) {
   return text;
 }
 
+/// Null if there is none of that name.
+const WordParameter* word_parameter(const std::string& name) {
+  for (const WordParameter& row : word_parameters()) {
+    if (name == row.name) return &row;
+  }
+  return nullptr;
+}
+
+/// "a, b and c", with `last` before the last one.
+std::string listed(const WordParameter& row, const std::string& last) {
+  std::string text = row.allowed.front();
+  for (std::size_t k = 1; k < row.allowed.size(); ++k) {
+    text += (k + 1 == row.allowed.size() ? last : ", ") + row.allowed[k];
+  }
+  return text;
+}
+
+std::string word_rows() {
+  std::string text;
+  Settings defaults;
+  for (const WordParameter& row : word_parameters()) {
+    text += std::string("| `") + row.name + "` | " + row.of(defaults) + " | " + listed(row, ", ") + " | " +
+            row.meaning + " |\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 const std::vector<Parameter<Settings>>& parameters() {
@@ -142,6 +169,24 @@ const std::vector<std::string>& yaw_words() {
   return words;
 }
 
+const std::vector<std::string>& class_words() {
+  static const std::vector<std::string> words = {"person", "cyclist", "car", "truck", "bird", "drone", "aircraft"};
+  return words;
+}
+
+const std::vector<WordParameter>& word_parameters() {
+  static const auto with_none = [](std::vector<std::string> words) {
+    words.insert(words.begin(), "none");
+    return words;
+  };
+  static const std::vector<WordParameter> words = {
+      {"yaw", yaw_words(), [](Settings& s) -> std::string& { return s.fly.yaw; }, "where the nose points"},
+      {"clusters", with_none(class_words()), [](Settings& s) -> std::string& { return s.things.clusters; },
+       "what the sensors see move is tracked, and taken to be of this class; none: it is not"},
+  };
+  return words;
+}
+
 std::string set_parameter(Settings& settings, const std::string& name, double value) {
   return set(kParameters, settings, name, value, name);
 }
@@ -150,17 +195,18 @@ std::string set_parameter(SensorSettings& settings, const std::string& name, dou
   return set(kSensorParameters, settings, name, value, prefix + name);
 }
 
-std::string set_yaw_word(Settings& settings, const std::string& word) {
-  const std::vector<std::string>& words = yaw_words();
-  if (std::find(words.begin(), words.end(), word) == words.end()) {
-    return "parameter yaw = \"" + word + "\" is refused: allowed are unseen, motion, point and heading";
+std::string set_word(Settings& settings, const std::string& name, const std::string& word) {
+  const WordParameter* const row = word_parameter(name);
+  if (row == nullptr) return "there is no parameter " + name;
+  if (std::find(row->allowed.begin(), row->allowed.end(), word) == row->allowed.end()) {
+    return "parameter " + name + " = \"" + word + "\" is refused: allowed are " + listed(*row, " and ");
   }
-  settings.fly.yaw = word;
+  row->of(settings) = word;
   return {};
 }
 
 std::string set_parameter_text(Settings& settings, const std::string& name, const std::string& text) {
-  if (name == "yaw") return set_yaw_word(settings, text);
+  if (word_parameter(name) != nullptr) return set_word(settings, name, text);
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0') return "parameter " + name + " = \"" + text + "\" is refused: it is no number";
@@ -191,6 +237,10 @@ std::string settings_fault(const Settings& settings) {
     return "parameter ceiling = " + with_unit(fly.ceiling, "m") + " is refused: it must be at least " +
            with_unit(fly.ground + keeps, "m") + ", which is ground + radius + tracking_margin";
   }
+  if (settings.things.clusters != "none" && !(settings.things.range > 0.0)) {
+    return "parameter clusters = \"" + settings.things.clusters +
+           "\" is refused: thing_range is 0, so all that is tracked would be left out. Raise it";
+  }
   if (!(settings.watch.stray > map.tracking_margin)) {
     return "parameter stray = " + with_unit(settings.watch.stray, "m") +
            " is refused: it must be above tracking_margin, " + with_unit(map.tracking_margin, "m");
@@ -200,9 +250,7 @@ std::string settings_fault(const Settings& settings) {
 
 std::string parameter_table() {
   const std::string head = "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
-  return head + rows(kParameters) +
-         "| `yaw` | unseen | unseen, motion, point, heading | where the nose points |\n\nOf each sensor:\n\n" + head +
-         rows(kSensorParameters);
+  return head + rows(kParameters) + word_rows() + "\nOf each sensor:\n\n" + head + rows(kSensorParameters);
 }
 
 }  // namespace tern_onboard

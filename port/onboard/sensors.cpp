@@ -8,6 +8,16 @@
 #include <utility>
 
 namespace tern_onboard {
+namespace {
+
+/// How far what a frame shows at this distance may be from where it was, m.
+double error_at(const tern::MapSpec& spec, double distance) {
+  return spec.pose_margin + spec.angle_margin * distance + spec.depth_margin +
+         spec.depth_margin_square * distance * distance;
+}
+
+}  // namespace
+
 bool scan_is_whole(const PointScan& scan) {
   const std::size_t last = std::max(scan.x, std::max(scan.y, scan.z)) + sizeof(float);
   if (scan.data == nullptr || scan.width == 0 || scan.height == 0 || last > scan.point_bytes) return false;
@@ -15,7 +25,8 @@ bool scan_is_whole(const PointScan& scan) {
   return scan.row_bytes <= scan.bytes / scan.height;
 }
 
-Sensors::Sensors(const WatchSettings& settings, std::int32_t pixels) : settings_(settings), pixels_(pixels) {}
+Sensors::Sensors(const WatchSettings& settings, std::int32_t pixels, Detector* detector)
+    : settings_(settings), pixels_(pixels), detector_(detector) {}
 
 int Sensors::add(const SensorSpec& spec) {
   Sensor sensor;
@@ -170,46 +181,78 @@ int Sensors::next(const Poses& poses, std::int64_t now, Notices& notices, tern::
   return best;
 }
 
-void Sensors::enter(tern::RollingMap& map, tern::FlightRecorder& record, const Poses& poses, std::int64_t now,
-                    Notices& notices) {
+std::vector<Sighting> Sensors::enter(tern::RollingMap& map, tern::FlightRecorder& record, const Poses& poses,
+                                     std::int64_t now, Notices& notices) {
   tern::Pose body{};
   const int index = next(poses, now, notices, body);
-  if (index < 0) return;
+  if (index < 0) return {};
   Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
   std::swap(in_work_, sensor.frame);
   in_work_.waits = sensor.frame.waits = false;
-  const tern::Status begun = begin(map, record, sensor, body);
+  const tern::Pose eye = compose(body, sensor.in_body);
+  Seen seen;
+  const tern::Status begun = begin(map, record, index, eye, seen);
   if (begun != tern::Status::kRunning) {
     notices.bad(
         Fault::kFrameRefused, index, now,
         called(index) + ": the map refused a frame: " + tern::status_name(begun) + ", " + tern::status_meaning(begun));
-    return;
+    return {};
   }
   ++sensor.state.taken;
   sensor.state.last_stamp = sensor.heard = in_work_.stamp;
   notices.good(Fault::kFrameInvalid, Fault::kFrameRefused, index, now,
                (called(index) + ": frames are good again").c_str());
+  if (seen.is_all) {
+    notices.good(Fault::kThingsFull, Fault::kThingsFull, index, now,
+                 (called(index) + ": all that moves is tracked again").c_str());
+  } else {
+    notices.bad(Fault::kThingsFull, index, now,
+                called(index) +
+                    ": more seems to move in a frame than can be tracked, and some is left out. Nothing keeps clear of "
+                    "it. Does something that stands lie within free_radius? Are pose_margin, angle_margin and "
+                    "depth_margin large enough?");
+  }
+  for (Sighting& thing : seen.things) {
+    thing.name = "sensor " + std::to_string(index) + " " + thing.name;
+    thing.error += error_at(map.spec(), length(minus(thing.position, eye.position)));
+  }
+  return std::move(seen.things);
 }
 
-tern::Status Sensors::begin(tern::RollingMap& map, tern::FlightRecorder& record, Sensor& sensor,
-                            const tern::Pose& body) {
+/// The detector compares the frame with the map as it was before.
+tern::Status Sensors::begin(tern::RollingMap& map, tern::FlightRecorder& record, int index, const tern::Pose& eye,
+                            Seen& seen) {
+  const Sensor& sensor = sensors_[static_cast<std::size_t>(index)];
   const std::int64_t t = in_work_.stamp;
-  const tern::Pose eye = compose(body, sensor.in_body);
   if (sensor.spec.kind == SensorKind::kPoints) {
-    directions_.clear();
-    ranges_.clear();
-    for (std::size_t k = 0; k + 2 < in_work_.points.size(); k += 3) {
-      const tern::Vec3 point{in_work_.points[k], in_work_.points[k + 1], in_work_.points[k + 2]};
-      directions_.push_back(turn(eye.quaternion, point));
-      ranges_.push_back(static_cast<float>(length(point)));
-    }
-    const double least = sensor.spec.settings.least;
-    const tern::Beams beams{directions_.data(), ranges_.data(), ranges_.size(), least,
-                            std::numeric_limits<double>::infinity()};
+    const tern::Beams beams = beams_of(sensor, eye);
+    if (detector_ != nullptr) seen = detector_->see(index, map, beams, eye.position, t);
     const tern::Status begun = map.begin_scan(beams, eye.position, t);
     record.scan(beams, eye.position, t, begun);
     return begun;
   }
+  const tern::DepthView view = view_of(sensor);
+  if (detector_ != nullptr) seen = detector_->see(index, map, view, eye, t);
+  const tern::Status begun = map.begin_frame(view, eye, t);
+  record.frame(view, eye, t, begun);
+  return begun;
+}
+
+/// Of the scan in work, in the map's axes.
+tern::Beams Sensors::beams_of(const Sensor& sensor, const tern::Pose& eye) {
+  directions_.clear();
+  ranges_.clear();
+  for (std::size_t k = 0; k + 2 < in_work_.points.size(); k += 3) {
+    const tern::Vec3 point{in_work_.points[k], in_work_.points[k + 1], in_work_.points[k + 2]};
+    directions_.push_back(turn(eye.quaternion, point));
+    ranges_.push_back(static_cast<float>(length(point)));
+  }
+  return {directions_.data(), ranges_.data(), ranges_.size(), sensor.spec.settings.least,
+          std::numeric_limits<double>::infinity()};
+}
+
+/// Of the image in work.
+tern::DepthView Sensors::view_of(const Sensor& sensor) const {
   const Lens& lens = sensor.lens;
   const double b = sensor.binning;
   tern::DepthView view{};
@@ -224,9 +267,7 @@ tern::Status Sensors::begin(tern::RollingMap& map, tern::FlightRecorder& record,
   view.min = 0.0;
   view.max = std::numeric_limits<float>::max();
   view.no_return = sensor.spec.settings.no_return;
-  const tern::Status begun = map.begin_frame(view, eye, t);
-  record.frame(view, eye, t, begun);
-  return begun;
+  return view;
 }
 
 void Sensors::restart() {
@@ -234,6 +275,7 @@ void Sensors::restart() {
     sensor.frame.waits = sensor.any = false;
     sensor.heard = 0;
   }
+  if (detector_ != nullptr) detector_->restart();
 }
 
 }  // namespace tern_onboard

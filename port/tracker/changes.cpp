@@ -48,13 +48,19 @@ double depth_error(const tern::MapSpec& spec, double depth) {
   return spec.depth_margin + spec.depth_margin_square * depth * depth;
 }
 
-/// Adds one that is a change. The first status that was not kOk stays.
-void add_change(const tern::RollingMap& map, const Vec3& point, double error, Clusters& clusters,
-                ClusterStatus& status) {
-  if (!is_change(map, point, error)) return;
-  const ClusterStatus added = clusters.add(point);
-  if (status == ClusterStatus::kOk) status = added;
-}
+/// Takes the points of a frame. The first status that was not kOk stays.
+struct Frame {
+  const tern::RollingMap& map;
+  double ground;
+  Clusters& clusters;
+  ClusterStatus status = ClusterStatus::kOk;
+
+  void add(const Vec3& point, double error) {
+    if (point.z - error <= ground || !is_change(map, point, error)) return;
+    const ClusterStatus added = clusters.add(point);
+    if (status == ClusterStatus::kOk) status = added;
+  }
+};
 
 }  // namespace
 
@@ -79,12 +85,12 @@ bool is_change(const tern::RollingMap& map, const Vec3& point, double error) {
 }
 
 ClusterStatus add_changes(const tern::RollingMap& map, const tern::DepthView& view, const tern::Pose& pose,
-                          Clusters& clusters) {
+                          Clusters& clusters, double ground) {
   if (!map.bound() || (view.z16 == nullptr) == (view.z32 == nullptr)) return ClusterStatus::kInvalidArgument;
   const tern::MapSpec& spec = map.spec();
   const double half_pixel = 0.5 * std::sqrt(1.0 / (view.fx * view.fx) + 1.0 / (view.fy * view.fy));
   const tern::Pose camera = with_unit_quaternion(pose);
-  ClusterStatus status = ClusterStatus::kOk;
+  Frame frame{map, ground, clusters};
   for (std::int32_t v = 0; v < view.height; ++v) {
     for (std::int32_t u = 0; u < view.width; ++u) {
       const double depth = depth_of(view, u, v);
@@ -93,27 +99,26 @@ ClusterStatus add_changes(const tern::RollingMap& map, const tern::DepthView& vi
       const double longer = tern_onboard::length(ray);
       const double error =
           spec.pose_margin + longer * (depth_error(spec, depth) + spec.angle_margin * depth) + half_pixel * depth;
-      add_change(map, along(camera.position, depth, tern_onboard::turn(camera.quaternion, ray)), error, clusters,
-                 status);
+      frame.add(along(camera.position, depth, tern_onboard::turn(camera.quaternion, ray)), error);
     }
   }
-  return status;
+  return frame.status;
 }
 
-ClusterStatus add_changes(const tern::RollingMap& map, const tern::Beams& beams, const Vec3& origin,
-                          Clusters& clusters) {
+ClusterStatus add_changes(const tern::RollingMap& map, const tern::Beams& beams, const Vec3& origin, Clusters& clusters,
+                          double ground) {
   const bool there = beams.count == 0 || (beams.directions != nullptr && beams.ranges != nullptr);
   if (!map.bound() || !there) return ClusterStatus::kInvalidArgument;
   const tern::MapSpec& spec = map.spec();
-  ClusterStatus status = ClusterStatus::kOk;
+  Frame frame{map, ground, clusters};
   for (std::size_t k = 0; k < beams.count; ++k) {
     const double range = static_cast<double>(beams.ranges[k]), norm = tern_onboard::length(beams.directions[k]);
     if (!(range > 0.0 && range >= beams.min && range < beams.max && range <= spec.range && norm > 0.0)) continue;
     const double error =
         spec.pose_margin + depth_error(spec, range) + (spec.angle_margin + kBeamShows * spec.scan_pixel) * range;
-    add_change(map, along(origin, range / norm, beams.directions[k]), error, clusters, status);
+    frame.add(along(origin, range / norm, beams.directions[k]), error);
   }
-  return status;
+  return frame.status;
 }
 
 }  // namespace tern_tracker

@@ -17,7 +17,8 @@ namespace {
 using tern_onboard::Sighting;
 
 constexpr double kLeastDeviation = 0.01;  // m: of a detection that claims to be exact
-constexpr double kNewVariance = 1.0;      // m^2: where else a thing could be that is at the gate of a track
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
+constexpr double kNewVariance = 1.0;  // m^2: where else a thing could be that is at the gate of a track
 
 double seconds(std::int64_t ns) {
   return 1e-9 * static_cast<double>(ns);
@@ -88,10 +89,14 @@ struct Tracker::Track {
   }
 };
 
-Tracker::Tracker(const TrackerSettings& settings)
-    : settings_(settings), last_(std::numeric_limits<std::int64_t>::min()) {}
+Tracker::Tracker(const TrackerSettings& settings) : settings_(settings), last_(kNever) {}
 
 Tracker::~Tracker() = default;
+
+void Tracker::restart() {
+  tracks_.clear();
+  last_ = kNever;
+}
 
 std::size_t Tracker::count() const {
   const auto is_confirmed = [this](const Track& track) { return track.hits >= settings_.hits; };
@@ -100,7 +105,7 @@ std::size_t Tracker::count() const {
 
 std::vector<Sighting> Tracker::scan(std::int64_t stamp, const std::vector<Sighting>& detections) {
   if (stamp <= last_ && seconds(last_ - stamp) <= settings_.lost_after) return {};
-  if (stamp <= last_) tracks_.clear();  // the clock was set back
+  if (stamp <= last_) restart();  // the clock was set back
   end_lost(stamp);
   std::vector<Pair> pairs;
   for (std::size_t t = 0; t < tracks_.size(); ++t) {

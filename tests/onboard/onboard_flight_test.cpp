@@ -39,28 +39,6 @@ TEST(OnboardFlight, GoesOnAroundAJumpOfTheEstimate) {
   EXPECT_EQ(count(sky, Fault::kPoseJump), 1u);
 }
 
-// The vehicle is where the map has seen free space, in the frame of the poses as in the map's.
-TEST(OnboardFlight, ItsMapCanBeReadBeforeAndAfterAJump) {
-  Sky sky("P25:20001");
-  const auto is_seen_here = [&sky] {
-    bool seen = false;
-    const auto look = [&](const tern::RollingMap& map, const tern::Vec3& offset) {
-      const tern::GridSpec& grid = map.safe().spec();
-      const tern::Vec3 p = tern_onboard::minus(tern_onboard::minus(sky.pose().pose.position, offset), grid.origin);
-      const auto voxel = [&](double at) { return static_cast<std::int32_t>(std::floor(at / grid.cell)); };
-      seen = map.seen({voxel(p.x), voxel(p.y), voxel(p.z)});
-    };
-    return sky.onboard.read_map(look) && seen;
-  };
-  EXPECT_FALSE(is_seen_here()) << "no flight yet";
-  ASSERT_TRUE(sky.begin().ok);
-  for (int k = 0; k < 300; ++k) sky.step();
-  EXPECT_TRUE(is_seen_here());
-  sky.jump({1.3, -0.8, 40.0});
-  for (int k = 0; k < 10; ++k) sky.step();
-  EXPECT_TRUE(is_seen_here());
-}
-
 TEST(OnboardFlight, BrakesWithoutPosesAndGoesOnWithThem) {
   Sky sky("P25:20001");
   ASSERT_TRUE(sky.begin().ok);

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/flight/detection_records.hpp"
 
+#include <algorithm>
+
+#include "tern_onboard/parameters.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -13,21 +17,18 @@ void set_detection_error(FlightSettings& s, const Words& words, const Place& pla
 
 /// A source, and for clusters what they are taken for. What sensors are to track, they must see.
 void set_detection_source(FlightSettings& s, const Words& words, const Place& place) {
-  static const std::map<std::string, tern::TrackClass> kClasses = {
-      {"person", tern::TrackClass::kPerson},    {"cyclist", tern::TrackClass::kCyclist},
-      {"car", tern::TrackClass::kCar},          {"truck", tern::TrackClass::kTruck},
-      {"bird", tern::TrackClass::kBird},        {"drone", tern::TrackClass::kDrone},
-      {"aircraft", tern::TrackClass::kAircraft}};
+  const std::vector<std::string>& classes = tern_onboard::class_words();
   const bool is_truth = words.size() == 2 && words[1] == "truth";
-  const auto kind = words.size() == 3 && words[1] == "clusters" ? kClasses.find(words[2]) : kClasses.end();
-  if (!is_truth && kind == kClasses.end()) {
+  const auto kind =
+      words.size() == 3 && words[1] == "clusters" ? std::find(classes.begin(), classes.end(), words[2]) : classes.end();
+  if (!is_truth && kind == classes.end()) {
     throw RecordError(place,
                       "detection_source is truth, or clusters and a class: person, cyclist, car, truck, bird, "
                       "drone or aircraft");
   }
   s.detection_source = words[1];
   if (is_truth) return;
-  s.cluster_class = kind->second;
+  s.cluster_class = static_cast<tern::TrackClass>(kind - classes.begin());
   s.things_seen = 1;
 }
 

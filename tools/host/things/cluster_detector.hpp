@@ -7,35 +7,29 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/lidar.hpp"
 #include "tern/map.hpp"
-#include "tern_tracker/clusters.hpp"
-#include "tern_tracker/tracker.hpp"
+#include "tern_tracker/cluster_detector.hpp"
 
 namespace tern_host {
 
 class ClusterDetector {
  public:
   /// All that moves is taken to be of this class; people and vehicles stand on the ground, m.
-  ClusterDetector(tern::TrackClass kind, double ground)
-      : kind_(kind), ground_(ground), clusters_(new tern_tracker::Clusters) {}
+  ClusterDetector(tern::TrackClass kind, double ground) : detector_(kind, ground) {}
 
   /// The tracks that were seen in a frame or scan, which has entered the map, or is about to.
   std::vector<tern::Track> see(const DepthFrame& frame, const tern::RollingMap& map);
   std::vector<tern::Track> see(const LidarScan& scan, const tern::RollingMap& map);
 
  private:
-  std::vector<tern::Track> track(std::int64_t taken, const tern::Vec3& eye);
+  std::vector<tern::Track> tracks_of(const tern_onboard::Seen& seen);
 
-  tern::TrackClass kind_;
-  double ground_;
-  std::unique_ptr<tern_tracker::Clusters> clusters_;
-  tern_tracker::Tracker tracker_;
+  tern_tracker::ClusterDetector detector_;
   std::map<std::string, tern::Track> last_;  ///< of each track
 };
 

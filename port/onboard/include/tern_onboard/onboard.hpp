@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -80,8 +79,9 @@ struct Answer {
 /// flight goes on around it (Poses); a goal then stays at its numbers.
 class Onboard {
  public:
-  /// Throws std::invalid_argument with the parameter that is wrong.
-  explicit Onboard(const Settings& settings);
+  /// Throws std::invalid_argument with the parameter that is wrong. `detector`: what finds things that move in the
+  /// frames of sensors, as tern_tracker::detector_of(settings) does; null: nothing.
+  explicit Onboard(const Settings& settings, std::unique_ptr<Detector> detector = nullptr);
   Onboard(const Onboard&) = delete;
   Onboard& operator=(const Onboard&) = delete;
 
@@ -146,10 +146,6 @@ class Onboard {
   std::vector<tern::Vec3> plan_points(std::int64_t now, std::int64_t step, std::size_t most) const;
   /// Centres of the voxels in which something was seen. False while the map cannot be read: try again after a tick.
   bool obstacles(std::vector<tern::Vec3>& centres) const;
-  /// Calls `read` with the map, and with what to subtract from places in the frame of the poses to get those of the
-  /// map, m. For what finds things that move in it, as tern::tracker. `read` must not call this object. False without a
-  /// flight.
-  bool read_map(const std::function<void(const tern::RollingMap& map, const tern::Vec3& offset)>& read) const;
   /// The polyhedra of the corridor of the last new plan that was committed; empty if there is none.
   std::vector<std::vector<tern::Halfspace>> corridor() const;
 
@@ -161,7 +157,8 @@ class Onboard {
 
   Answer begin_locked(std::int64_t now);
   Answer begin_at(const StampedPose& at, std::int64_t now);
-  void one_tick();
+  void one_tick(std::int64_t now);
+  void add_locked(const Sighting& sighting, std::int64_t now);
   void record_tick(tern::Status answer);
   void watch_progress();
   void keep_corridor(const tern::FlightReport& before);
@@ -190,6 +187,7 @@ class Onboard {
 
   mutable std::mutex mutex_;
   Poses poses_;
+  std::unique_ptr<Detector> detector_;
   Sensors sensors_;
   Notices notices_;
   Recording recording_;

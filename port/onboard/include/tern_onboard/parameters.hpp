@@ -24,19 +24,31 @@ struct Parameter {
   const char* meaning;  ///< one line
 };
 
-/// All numbers of Settings, and those of each sensor. FlySettings::yaw is a word: yaw_words().
+/// A parameter that is a word.
+struct WordParameter {
+  const char* name;
+  std::vector<std::string> allowed;
+  std::string& (*of)(Settings&);
+  const char* meaning;  ///< one line
+};
+
+/// All numbers of Settings, and those of each sensor.
 const std::vector<Parameter<Settings>>& parameters();
 const std::vector<Parameter<SensorSettings>>& sensor_parameters();
+/// All words of Settings.
+const std::vector<WordParameter>& word_parameters();
 
-/// What FlySettings::yaw may be: unseen, motion, point or heading, as tern::FlightYawMode has them.
+/// What FlySettings::yaw may be, as tern::FlightYawMode has them.
 const std::vector<std::string>& yaw_words();
+/// The names of classes, as tern::TrackClass has them.
+const std::vector<std::string>& class_words();
 
 /// Sets the parameter of that name. Empty; or what is wrong, with the name, the value and what is allowed. Nothing is
 /// set then. `prefix` goes before the name in that text: a sensor's name.
 std::string set_parameter(Settings& settings, const std::string& name, double value);
 std::string set_parameter(SensorSettings& settings, const std::string& name, double value,
                           const std::string& prefix = "");
-std::string set_yaw_word(Settings& settings, const std::string& word);
+std::string set_word(Settings& settings, const std::string& name, const std::string& word);
 
 /// The same from text, as a command line or a file has it: "cell", "0.2".
 std::string set_parameter_text(Settings& settings, const std::string& name, const std::string& text);

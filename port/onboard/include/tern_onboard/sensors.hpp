@@ -12,6 +12,7 @@
 
 #include "tern/flight_record.hpp"
 #include "tern/map.hpp"
+#include "tern_onboard/detector.hpp"
 #include "tern_onboard/notices.hpp"
 #include "tern_onboard/poses.hpp"
 #include "tern_onboard/settings.hpp"
@@ -77,8 +78,8 @@ struct SensorState {
 class Sensors {
  public:
   /// `pixels`: of MapSpec. Larger images are divided into squares of pixels; each becomes one pixel with the least of
-  /// its depths, and no measurement if one of them is none.
-  Sensors(const WatchSettings& settings, std::int32_t pixels);
+  /// its depths, and no measurement if one of them is none. `detector` gets each frame; it may be null.
+  Sensors(const WatchSettings& settings, std::int32_t pixels, Detector* detector = nullptr);
 
   int add(const SensorSpec& spec);
   int count() const { return static_cast<int>(sensors_.size()); }
@@ -91,9 +92,10 @@ class Sensors {
   bool offer(int sensor, const PointScan& scan, std::int64_t now, Notices& notices);
   /// The stamp of the last frame that was offered and not refused.
   std::int64_t newest(int sensor) const { return sensors_[static_cast<std::size_t>(sensor)].newest; }
-  /// Begins to enter a frame, if one can be, and records it. To be called while the map is not busy.
-  void enter(tern::RollingMap& map, tern::FlightRecorder& record, const Poses& poses, std::int64_t now,
-             Notices& notices);
+  /// Begins to enter a frame, if one can be, and records it. To be called while the map is not busy. What the detector
+  /// saw move in it, in the map's frame; their names begin with the sensor's number.
+  std::vector<Sighting> enter(tern::RollingMap& map, tern::FlightRecorder& record, const Poses& poses, std::int64_t now,
+                              Notices& notices);
   /// Forgets what waits, and all stamps: the clock or the map is a new one.
   void restart();
   const SensorState& state(int sensor) const { return sensors_[static_cast<std::size_t>(sensor)].state; }
@@ -129,11 +131,14 @@ class Sensors {
   static void read(const PointScan& scan, Frame& frame);
   bool drop_old(int index, std::int64_t now, Notices& notices);
   int next(const Poses& poses, std::int64_t now, Notices& notices, tern::Pose& body);
-  tern::Status begin(tern::RollingMap& map, tern::FlightRecorder& record, Sensor& sensor, const tern::Pose& body);
+  tern::Status begin(tern::RollingMap& map, tern::FlightRecorder& record, int index, const tern::Pose& eye, Seen& seen);
+  tern::Beams beams_of(const Sensor& sensor, const tern::Pose& eye);
+  tern::DepthView view_of(const Sensor& sensor) const;
   std::string called(int index) const { return sensors_[static_cast<std::size_t>(index)].spec.name; }
 
   WatchSettings settings_;
   std::int32_t pixels_;
+  Detector* detector_;
   std::vector<Sensor> sensors_;
   Frame in_work_;  // the map reads it until its job is done
   std::vector<tern::Vec3> directions_;

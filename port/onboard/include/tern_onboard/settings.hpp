@@ -78,6 +78,7 @@ struct ThingSettings {
   double beyond_size = 1.0;
   double detector_range = 20.0;
   double detector_delay = 0.2;
+  std::string clusters = "none";
 };
 
 struct Settings {

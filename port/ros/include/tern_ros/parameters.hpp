@@ -48,7 +48,9 @@ tern_onboard::Settings read_settings(const Get& get) {
   for (const auto& row : tern_onboard::parameters()) {
     require(tern_onboard::set_parameter(settings, row.name, get(row.name, row.get(settings))));
   }
-  require(tern_onboard::set_yaw_word(settings, get("yaw", settings.fly.yaw)));
+  for (const auto& row : tern_onboard::word_parameters()) {
+    require(tern_onboard::set_word(settings, row.name, get(row.name, row.of(settings))));
+  }
   return settings;
 }
 

@@ -6,6 +6,8 @@
 #ifndef TERN_TRACKER_CHANGES_HPP
 #define TERN_TRACKER_CHANGES_HPP
 
+#include <limits>
+
 #include "tern/map.hpp"
 #include "tern_tracker/clusters.hpp"
 
@@ -22,13 +24,14 @@ bool is_change(const tern::RollingMap& map, const tern::Vec3& point, double erro
 /// Adds the changes that an image shows, as RollingMap::begin_frame() gets it, within the map's range. A pixel's error
 /// is that of depth and pose which MapSpec states, and half the pixel's diagonal. To be called before the next slide of
 /// the map. The first status that is not kOk; the other points are added all the same. kInvalidArgument without an
-/// image.
+/// image. `ground`: what is within its error of this height, m, or below it, is no change: assume_free() may have
+/// stated that the ground is free. Minus infinity: not known.
 ClusterStatus add_changes(const tern::RollingMap& map, const tern::DepthView& view, const tern::Pose& pose,
-                          Clusters& clusters);
+                          Clusters& clusters, double ground = -std::numeric_limits<double>::infinity());
 /// The same of a scan. What a beam shows is taken to be within 0.36 MapSpec::scan_pixel of it: half the diagonal
 /// between beams that are half a scan_pixel apart.
 ClusterStatus add_changes(const tern::RollingMap& map, const tern::Beams& beams, const tern::Vec3& origin,
-                          Clusters& clusters);
+                          Clusters& clusters, double ground = -std::numeric_limits<double>::infinity());
 
 }  // namespace tern_tracker
 

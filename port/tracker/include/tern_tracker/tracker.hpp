@@ -33,6 +33,8 @@ class Tracker {
   /// filters. A scan that is no newer than the last one is left out, and nothing is answered; but after one that is
   /// older by more than lost_after, it begins anew.
   std::vector<tern_onboard::Sighting> scan(std::int64_t stamp, const std::vector<tern_onboard::Sighting>& detections);
+  /// Forgets all tracks and the time of the last scan. Names do not come again.
+  void restart();
   /// Tracks that have enough detections.
   std::size_t count() const;
 
