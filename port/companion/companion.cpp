@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "tern_stacks/stacks.hpp"
+#if __has_include("tern_tracker/cluster_detector.hpp")
+#include "tern_tracker/cluster_detector.hpp"
+#define TERN_COMPANION_HAS_TRACKER
+#endif
 
 namespace tern_companion {
 namespace {
@@ -18,6 +23,14 @@ constexpr std::int64_t kRestFor = kSecond / 2, kRetry = kSecond, kHoverAtEnd = k
 constexpr double kRestSpeed = 0.3;  // m/s
 
 constexpr char kNoFramesText[] = "no frames of depth come: it stays in what it has seen";
+
+std::unique_ptr<tern_onboard::Detector> detector_of([[maybe_unused]] const tern_onboard::Settings& settings) {
+#ifdef TERN_COMPANION_HAS_TRACKER
+  return tern_tracker::detector_of(settings);
+#else
+  return nullptr;  // Onboard says what is missing
+#endif
+}
 
 /// The flight goes no further by itself.
 bool is_final(tern::FlightReason reason) {
@@ -33,7 +46,7 @@ Companion::Companion(const CompanionSettings& settings, Outputs outputs)
       autopilot_(
           settings.system, outputs_.send, outputs_.say,
           [this](const AutopilotState& state) { onboard_.add_pose(state.pose, state.estimate_at, state.resets); }),
-      onboard_(settings.onboard),
+      onboard_(settings.onboard, detector_of(settings.onboard)),
       record_(onboard_, settings.record),
       sensors_(onboard_),
       traffic_(settings.traffic),

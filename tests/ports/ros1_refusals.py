@@ -17,6 +17,7 @@ REFUSED = [
     ("tracker", "yes", "parameter tracker is refused: it is no bool"),
     ("detections", "radar", 'parameter detections = "radar" is refused'),
     ("other_class", "boat", 'parameter other_class = "boat" is refused'),
+    ("clusters", "boat", 'parameter clusters = "boat" is refused'),
     ("output", "joystick", 'parameter output = "joystick" is refused'),
 ]
 

@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 
+#include "onboard/onboard_lookout.hpp"
 #include "ros2/camera_world.hpp"
 #include "ros2/message_files.hpp"
 #include "ros2/replayed_flight.hpp"
@@ -324,6 +326,50 @@ TEST_F(Ros2, TracksWhatHasNoIds) {
   EXPECT_EQ(diagnosed("things that move"), "2");
 }
 
+/// A man walks before the camera.
+TEST_F(Ros2, TracksWhatItsCameraSeesMove) {
+  constexpr int kWidth = 160, kHeight = 120;
+  auto& p = bus().parameters;
+  p["clusters"] = std::string("person");
+  p["ground"] = 0.0;
+  p["free_radius"] = 1.6;
+  p["angle_margin"] = 0.005;
+  p["depth_margin"] = p["pose_margin"] = 0.02;
+  geometry_msgs::msg::Transform mounting;
+  mounting.rotation = {-0.5, 0.5, -0.5, 0.5};
+  bus().transforms["base_link camera_optical"] = mounting;
+  sensor_msgs::msg::CameraInfo info;
+  info.width = kWidth;
+  info.height = kHeight;
+  info.p = {80.0, 0.0, 79.5, 0.0, 0.0, 80.0, 59.5, 0.0, 0.0, 0.0, 1.0, 0.0};
+  sensor_msgs::msg::Image image;
+  image.header.frame_id = "camera_optical";
+  image.encoding = "32FC1";
+  image.width = kWidth;
+  image.height = kHeight;
+  image.step = 4 * kWidth;
+  image.data.resize(image.step * kHeight);
+  ASSERT_EQ(run([&] {
+              bus().deliver("camera/camera_info", info);
+              bus().deliver("pose", pose_at(0, 0, 1.5));
+              bus().deliver("goal", pose_at(0, 0, 1.5));
+              for (int k = 0; k < 200; ++k) {
+                bus().deliver("pose", pose_at(0, 0, 1.5));
+                for (int pixel = 0; k % 10 == 0 && pixel < kWidth * kHeight; ++pixel) {
+                  const tern::Vec3 ray{1.0, (79.5 - pixel % kWidth) / 80.0, (59.5 - pixel / kWidth) / 80.0};
+                  const auto depth = static_cast<float>(tern_test::Scene().way({0.0, 0.0, 1.5}, ray, 0.01 * k));
+                  std::memcpy(image.data.data() + 4 * pixel, &depth, sizeof depth);
+                }
+                tern_ros::set_stamp(image.header.stamp, bus().now());
+                if (k % 10 == 0) bus().deliver("camera/image", image);
+                tick();
+              }
+            }),
+            0);
+  EXPECT_TRUE(log_has("what the sensors see move is tracked, as of class person"));
+  EXPECT_EQ(diagnosed("things that move"), "1");
+}
+
 TEST_F(Ros2, TakesObjectsOfAutoware) {
   bus().parameters["detections"] = std::string("autoware");
   autoware_perception_msgs::msg::PredictedObjects seen;
@@ -362,6 +408,14 @@ TEST_F(Ros2, RefusesParametersByName) {
   bus().parameters["other_class"] = std::string("boat");
   EXPECT_EQ(run(), 1);
   EXPECT_TRUE(log_has("parameter other_class = \"boat\" is refused"));
+  bus().parameters.erase("other_class");
+  bus().parameters["clusters"] = std::string("person");
+  EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(log_has("parameter clusters is refused together with detections"));
+  bus().parameters.erase("detections");
+  bus().parameters["clusters"] = std::string("boat");
+  EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(log_has("parameter clusters = \"boat\" is refused: allowed are none, person"));
 }
 
 TEST_F(Ros2, FollowsItsLifecycle) {

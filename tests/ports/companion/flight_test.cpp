@@ -253,6 +253,17 @@ TEST_F(CompanionFlies, FliesToWhereAGroundStationSays) {
   EXPECT_EQ(outcome.exit_status, -1) << "it goes on holding the vehicle";
 }
 
+/// Trees stand still, so the flight is the same.
+TEST_F(CompanionFlies, TracksNothingAmongTrees) {
+  const FlightOutcome without = fly_with();
+  flight_.arguments = {"--set", "clusters=person"};
+  const FlightOutcome with = fly_with();
+  EXPECT_TRUE(says(with, "what the sensors see move is tracked, as of class person")) << with.said;
+  EXPECT_FALSE(says(without, "is tracked"));
+  EXPECT_EQ(with.length, without.length);
+  expect_reached(with);
+}
+
 TEST_F(CompanionFlies, EqualFlightsAreEqual) {
   const FlightOutcome first = fly_with(), second = fly_with();
   EXPECT_EQ(first.length, second.length);
@@ -274,8 +285,9 @@ TEST(CompanionProgram, RefusesWordsItCannotRead) {
   const auto run = [](const std::string& words) {
     return std::system((std::string(TERN_TEST_COMPANION " ") + words + " >/dev/null 2>&1").c_str());
   };
-  for (const char* words : {"--link tcp:1", "--goal 1,2", "--set cell", "--set cell=many", "--set color=1",
-                            "--mission /no/such/file", "--parameters /no/such/file", "--unknown"}) {
+  for (const char* words :
+       {"--link tcp:1", "--goal 1,2", "--set cell", "--set cell=many", "--set color=1", "--set clusters=boat",
+        "--mission /no/such/file", "--parameters /no/such/file", "--unknown"}) {
     EXPECT_EQ(run(words), 2 << 8) << words;
   }
   EXPECT_EQ(run("--list-parameters"), 0);

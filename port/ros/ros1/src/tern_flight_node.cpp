@@ -68,7 +68,8 @@ class Node {
  public:
   Node()
       : options_(tern_ros::read_options(parameters_of(own_))),
-        onboard_(tern_ros::read_settings(parameters_of(own_))),
+        settings_(tern_ros::read_settings(parameters_of(own_))),
+        onboard_(settings_, tern_ros::detector_of(settings_, options_)),
         listener_(buffer_),
         topics_(
             onboard_, options_, [this](auto&&... args) { return find(args...); },
@@ -223,6 +224,7 @@ class Node {
 
   ros::NodeHandle node_, own_{"~"};
   tern_ros::Options options_;
+  tern_onboard::Settings settings_;
   tern_onboard::Onboard onboard_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;

@@ -105,7 +105,8 @@ class Node : public LifecycleNode {
   void set_up() {
     forget();
     options_ = tern_ros::read_options(parameters());
-    onboard_ = std::make_unique<tern_onboard::Onboard>(tern_ros::read_settings(parameters()));
+    const tern_onboard::Settings settings = tern_ros::read_settings(parameters());
+    onboard_ = std::make_unique<tern_onboard::Onboard>(settings, tern_ros::detector_of(settings, options_));
     buffer_ = std::make_unique<tf2_ros::Buffer>(get_clock());
     listener_ = std::make_unique<tf2_ros::TransformListener>(*buffer_);
     topics_ = std::make_unique<tern_ros::FlightTopics>(
