@@ -80,6 +80,12 @@ TEST_F(Among, ArrivesWhenTheGoalIsFree) {
   expect_refused(Status::kGoalCovered, 1);
   EXPECT_EQ(world_.report.stage, Stage::kTracks);
   EXPECT_GT(world_.report.conflict, 3.0);
+  // Something is in the way, too, but that is not why there is no plan.
+  ASSERT_EQ(plan({}), Status::kOk);
+  const double alone = tern::duration(world_.trajectory);
+  EXPECT_EQ(plan({ball({4.0, 2.05, 1.05}, {0.0, 0.0, 0.0}), parked}), Status::kGoalCovered);
+  expect_refused(Status::kGoalCovered, 1);
+  EXPECT_NEAR(world_.report.conflict, alone, 0.05);
 }
 
 TEST_F(Among, ABlockedWayHasNoClearTime) {

@@ -61,7 +61,7 @@ TEST_F(Among, WaitsRatherThanFliesAbout) {
   wall.shape = TrackShape::kBox;
   wall.half = {0.1, 3.0, 3.0};
   wall.end = TrackEnd::kGone;
-  for (const int until : {14, 22, 37, 52}) {
+  for (int until = 11; until <= 62; ++until) {
     wall.until = until * kSecond;
     ASSERT_EQ(plan({wall}), Status::kOk);
     expect_plan();
@@ -78,10 +78,34 @@ TEST_F(Among, WaitsRatherThanFliesAbout) {
     } while (found.finding != tern::Finding::kNone && wait < 50 * until);
     ASSERT_EQ(found.finding, tern::Finding::kNone);
     const double soonest = 0.02 * wait + tern::duration(*alone);
-    EXPECT_NEAR(tern::duration(world_.trajectory), soonest, 0.3) << until;
-    EXPECT_NEAR(world_.report.waits, 0.02 * wait, 0.3) << until;
+    EXPECT_NEAR(tern::duration(world_.trajectory), soonest, 0.05) << until;
+    EXPECT_NEAR(world_.report.waits, 0.02 * wait, 0.05) << until;
     EXPECT_EQ(world_.report.diagnostics.seed, 0);
   }
+}
+
+/// A budget that ends while shorter waits are tried leaves the one that is clear.
+TEST_F(Among, ABudgetThatEndsInTheWaitLeavesALongerOne) {
+  Track wall = ball({4.0, 2.0, 1.0}, {0.0, 0.0, 0.0});
+  wall.shape = TrackShape::kBox;
+  wall.half = {0.1, 3.0, 3.0};
+  wall.end = TrackEnd::kGone;
+  wall.until = 27 * kSecond;
+  ASSERT_EQ(plan({wall}), Status::kOk);
+  const double shortest = world_.report.waits;
+  const std::uint32_t work = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)].work;
+  bool was_found = false;
+  int longer = 0;
+  for (std::uint32_t budget = work - 600; budget <= work; budget += 5) {
+    world_.request.budget.tracks = budget;
+    const Status status = plan({wall});
+    EXPECT_EQ(status, was_found ? Status::kOk : status) << budget;
+    if (status != Status::kOk) continue;
+    was_found = true;
+    expect_plan();
+    longer += world_.report.waits > shortest + 0.1 ? 1 : 0;
+  }
+  EXPECT_GT(longer, 0);
 }
 
 TEST_F(Among, WaitsForWhatTakesUpTheWholeWay) {

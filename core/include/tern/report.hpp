@@ -96,8 +96,8 @@ struct Report {
   /// kTracks: the index of the track that is wrong. For kOk: the first track that the plan begins too near to, and
   /// leaves. Else kNoTrack.
   int32_t track = kNoTrack;
-  /// Only for kStartInContact, kGoalCovered and kNoClearTime: until then the first plan was proven clear of all tracks,
-  /// seconds since its beginning.
+  /// Seconds since the first plan's beginning. For kStartInContact and kNoClearTime: until then it was proven clear of
+  /// all tracks. For kGoalCovered: it has arrived then, and was not proven clear at the goal from then on.
   double conflict = 0.0;
   /// Only for kGoalCovered: a time from which on the goal is proven clear of all tracks for Request::rest_clear
   /// seconds, seconds since the plan's beginning. Shortly before, it is not. Shorter gaps may have been missed.

@@ -198,7 +198,7 @@ typedef struct {
   int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
   int32_t track; /* index of the track that is wrong, or that the first plan, or the start, is not clear of; -1: none */
-  double conflict;         /* s: when the first plan meets that track */
+  double conflict;         /* s: when the first plan meets it; at the goal, if that is covered */
   double goal_free;        /* s: from when on the plan could rest at a goal that is covered; infinity */
   double rest_clear_until; /* s: until when the plan's end is clear of all tracks; infinity */
   double waits;            /* s at rest before it sets out, for things that move */

@@ -33,10 +33,11 @@ struct Kept {
 
 /// The plans that the search for one around things begins from, and falls back to.
 struct AroundMemory {
-  Kept alone;                    ///< the plan as if nothing moved
-  Trajectory found;              ///< the best one around things so far, with stops and dwells
-  Trajectory seed;               ///< of the current way
-  std::int32_t joint[kMaxVias];  ///< as in ViaMemory, of the one found
+  Kept alone;        ///< the plan as if nothing moved
+  Trajectory found;  ///< the best one around things so far, with stops and dwells,
+  ViaMarks marks;    ///< and its marks and joints as in ViaMemory
+  std::int32_t joint[kMaxVias];
+  Trajectory seed;  ///< of the current way
   TimedSeed timed;
 };
 
@@ -55,7 +56,7 @@ struct Around {
   double soonest = 0.0;          ///< s: the first arrival after which the goal stays clear, about
   double latest = 0.0;           ///< s: and the last one, if that is not after the first plan's seed arrives
   double found = 0.0;            ///< s that the best plan so far takes; 0: there is none
-  bool is_waiting = false;       ///< the stage `tracks` looks whether the plan as if nothing moved may wait
+  bool is_waiting = false;       ///< the stages `tracks` and `check` look whether the plan as if nothing moved may wait
 };
 
 /// As Diagnostics::seed, for the plan in memory.
@@ -98,12 +99,6 @@ constexpr double kFurther = 2.0;
 /// A plan that waits may arrive later than one that flies about instead by this part of how much longer than the one as
 /// if nothing moved that takes: a run-up to a closed passage gains little.
 constexpr double kWorthWaiting = 0.03;
-
-/// s: a plan that waits is of use if it takes no longer.
-constexpr double longest_of(const Around& around) noexcept {
-  if (!around.is_active) return __builtin_inf();
-  return around.found + kWorthWaiting * (around.found - around.alone);
-}
 
 /// Keeps what the search for other ways overwrites, and brings it back.
 void keep(const Path& path, const ViaMarks& marks, const Corridor& corridor, Kept& kept) noexcept;

@@ -91,6 +91,7 @@ void Pipeline::judge_around(bool is_clear) noexcept {
 void Pipeline::keep_found() noexcept {
   Layout& memory = *memory_;
   memory.around.found = memory.trajectory;
+  memory.around.marks = memory.vias.marks;
   for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];
   attempts_.around.found = duration(memory.trajectory);
 }
@@ -98,12 +99,14 @@ void Pipeline::keep_found() noexcept {
 void Pipeline::take_found() noexcept {
   Layout& memory = *memory_;
   memory.trajectory = memory.around.found;
+  memory.vias.marks = memory.around.marks;
   for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.vias.joint[v] = memory.around.joint[v];
 }
 
-/// Puts the plan that was made as if nothing moved into memory, without its corridor.
+/// Puts the plan that was made as if nothing moved into memory, without its path and corridor.
 void Pipeline::take_alone() noexcept {
   Layout& memory = *memory_;
+  memory.vias.marks = memory.around.alone.marks;
   memory.trajectory = memory.around.alone.trajectory;
   complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.trajectory);
 }

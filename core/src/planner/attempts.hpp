@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "base/math.hpp"
 #include "planner/around.hpp"
 #include "planner/detour.hpp"
 #include "planner/follow.hpp"
@@ -40,6 +41,14 @@ struct Attempts {
   Waiting waiting;
   Around around;
 };
+
+/// s: a plan that waits is of use if it takes no longer. Around things, it takes the place of one that was found; and a
+/// remainder that leads to the goal would take its own.
+inline double longest_of(const Around& around, const Follow& follow) noexcept {
+  if (!around.is_active) return __builtin_inf();
+  const double longest = around.found + kWorthWaiting * (around.found - around.alone);
+  return follow.proven ? smaller(longest, follow.proven_duration) : longest;
+}
 
 /// Why there is no plan.
 struct Failure {

@@ -62,7 +62,7 @@ Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajec
     const ProofReport& found = proof.report();
     const bool is_free = found.finding == Finding::kNone;
     if (!is_free && conflict.status != Status::kGoalCovered)
-      conflict = {Status::kGoalCovered, found.track, found.fence, conflict.until};
+      conflict = {Status::kGoalCovered, found.track, found.fence, found.until};
     goal.is_done = !look_on(is_free, found.until, goal);
   }
   return Progress::kDone;

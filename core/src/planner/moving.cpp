@@ -105,12 +105,15 @@ void undo(Waiting& waiting, Trajectory& trajectory) {
   if (waiting.joint >= 0) set_out(0.0, 1.0, waiting, trajectory);
 }
 
-/// Sets the durations of the next try, or of the next wait between one that is clear and a shorter one that is not.
-/// False if none is left.
+/// Sets the durations of what is proven next. False if no try is left.
 bool set_next(Waiting& waiting, Trajectory& trajectory) {
   if (waiting.joint < 0) return false;
-  if (waiting.clear >= 0.0) {
-    set_out(0.5 * (waiting.too_short + waiting.clear), waiting.pace, waiting, trajectory);
+  if (waiting.step == WaitingStep::kHalves) {
+    set_out(0.5 * (waiting.too_short + waiting.clear), waiting.clear_pace, waiting, trajectory);
+    return true;
+  }
+  if (waiting.step == WaitingStep::kFaster) {
+    set_out(waiting.ends - waiting.after, 1.0, waiting, trajectory);
     return true;
   }
   const int next = next_try(waiting);
@@ -118,25 +121,52 @@ bool set_next(Waiting& waiting, Trajectory& trajectory) {
   const Try of = try_at(next, waiting);
   waiting.last = next;
   waiting.ends = of.ends;
-  waiting.too_short = next < kPaces ? of.wait : kWait[next / kPaces - 1];
   set_out(of.wait, of.pace, waiting, trajectory);
   return true;
 }
 
+/// The longest of the tries' waits that are shorter: with the same pace, it was tried, and is not clear. Without a
+/// shorter one, the same.
+double shorter_than(double wait) {
+  double shorter = smaller(wait, kWait[0]);
+  for (const double tried : kWait) {
+    if (tried < wait) shorter = tried;
+  }
+  return shorter;
+}
+
+/// The trajectory gets the shortest wait that is known to be clear.
+void settle(Waiting& waiting, Trajectory& trajectory) {
+  waiting.is_over = true;
+  set_out(waiting.clear, waiting.clear_pace, waiting, trajectory);
+}
+
 /// What a proof found of the plan with the current durations. True if no shorter wait is worth a try.
 bool take(bool is_clear, Waiting& waiting, Trajectory& trajectory) {
-  if (is_clear) waiting.clear = waiting.waits;
-  if (waiting.clear < 0.0) return false;
-  if (!is_clear) waiting.too_short = waiting.waits;
-  if (waiting.clear - waiting.too_short > kFinestWait) return false;
-  waiting.is_over = true;
-  set_out(waiting.clear, waiting.pace, waiting, trajectory);
-  return true;
+  if (waiting.step == WaitingStep::kHalves) {
+    (is_clear ? waiting.clear : waiting.too_short) = waiting.waits;
+    ++waiting.halvings;
+  } else {
+    if (is_clear) {
+      waiting.clear = waiting.waits;
+      waiting.clear_pace = waiting.pace;
+      waiting.too_short = shorter_than(waiting.waits);
+    }
+    if (waiting.clear < 0.0) return false;
+    const bool may_be_faster = waiting.step == WaitingStep::kTries && waiting.pace > 1.0 && waiting.has_rest;
+    waiting.step = may_be_faster ? WaitingStep::kFaster : WaitingStep::kHalves;
+    if (may_be_faster) return false;
+  }
+  const bool is_short = waiting.clear - waiting.too_short <= kFinestWait || waiting.halvings == kWaitHalvings;
+  if (is_short) settle(waiting, trajectory);
+  return is_short;
 }
 
 /// Begins the proof against all things, or a first look at the one that a try met last: the next try mostly meets it,
 /// too.
-void begin_proof(const TrackGrounds& grounds, bool is_first_look, const Trajectory& trajectory, Waiting& waiting) {
+void begin_proof(const TrackGrounds& grounds, bool is_first_look, const Trajectory& trajectory, Waiting& waiting,
+                 Work& work) {
+  work.spend(ops::kCurve * trajectory.count);
   TrackGrounds against = grounds;
   if (is_first_look) {
     against.tracks += waiting.met;
@@ -193,6 +223,7 @@ bool meets_in_time(const Problem& problem, const ProofReport& found) noexcept {
 void waiting_begin(const Problem& problem, const EndStop* stops, double longest, Trajectory& trajectory,
                    ViaMemory& vias, Waiting& waiting) noexcept {
   const double all = duration(trajectory);
+  waiting = Waiting{};
   waiting.is_tried = true;
   waiting.longest = longest;
   waiting.joint = resting_joint(problem, stops);
@@ -209,28 +240,34 @@ void waiting_begin(const Problem& problem, const EndStop* stops, double longest,
 }
 
 Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Work& work) noexcept {
-  // Each try is two proofs at most.
-  for (int k = 0; k <= 2 * (kWaitingTries + kWaitHalvings); ++k) {
+  // Each try is two proofs at most; one more is the wait at full pace.
+  for (int k = 0; k <= 2 * (kWaitingTries + 1 + kWaitHalvings); ++k) {
     if (waiting.is_proving) {
       if (waiting.proof.step(work) == Status::kRunning) return Progress::kMore;
       waiting.is_proving = false;
       const ProofReport& found = waiting.proof.report();
       const bool is_clear = found.finding == Finding::kNone;
       if (is_clear && waiting.is_first_look) {
-        begin_proof(grounds, false, trajectory, waiting);
+        begin_proof(grounds, false, trajectory, waiting, work);
         continue;
       }
       if (!is_clear && !waiting.is_first_look) waiting.met = found.track;
       if (take(is_clear, waiting, trajectory)) return Progress::kDone;
     }
     if (!work.left()) return Progress::kMore;
-    work.spend(ops::kTurn * kWaitingTries + ops::kCurve * trajectory.count);
+    work.spend(ops::kTurn * kWaitingTries);
     if (!set_next(waiting, trajectory)) break;
-    begin_proof(grounds, waiting.met != kNoTrack, trajectory, waiting);
+    begin_proof(grounds, waiting.met != kNoTrack, trajectory, waiting, work);
   }
   undo(waiting, trajectory);
   waiting.is_over = true;
   return Progress::kFailed;
+}
+
+bool waiting_stop(Trajectory& trajectory, Waiting& waiting) noexcept {
+  if (waiting.is_over || waiting.clear < 0.0) return false;
+  settle(waiting, trajectory);
+  return true;
 }
 
 }  // namespace tern

@@ -52,22 +52,31 @@ constexpr int kWaitingTries = kWaits * kPaces;
 /// Shorter waits that are tried after one that is clear, by halving.
 constexpr int kWaitHalvings = 8;
 
+enum class WaitingStep : std::uint8_t {
+  kTries,   ///< waits and paces, until one is clear
+  kFaster,  ///< after one at a slower pace: the wait at full pace that arrives when it does
+  kHalves,  ///< shorter waits at the pace of the one that is clear
+};
+
 struct Waiting {
-  bool is_tried = false;             ///< for the trajectory in memory
-  bool is_over = false;              ///< and it is known whether that helps
+  bool is_tried = false;  ///< for the trajectory in memory
+  bool is_over = false;   ///< and it is known whether that helps
+  WaitingStep step = WaitingStep::kTries;
   double waits = 0.0;                ///< s that the trajectory in memory waits
   double pace = 1.0;                 ///< factor of its other durations
   double longest = __builtin_inf();  ///< s: no plan that takes longer is of use
   int joint = 0;                     ///< before this segment, it rests; -1: nowhere
   bool has_rest = false;             ///< a segment was inserted there
   bool may_slow_down = false;
-  int last = -1;  ///< the try that was made last
-  double ends = 0.0;
-  double too_short = 0.0;       ///< s: a wait that is not clear
-  double clear = -1.0;          ///< s: a longer one that is; negative: none is known
-  std::int32_t met = kNoTrack;  ///< by the last try that met a thing
+  int last = -1;        ///< the try that was made last
+  double ends = 0.0;    ///< s since the plan comes to its rest, when it arrives
+  double clear = -1.0;  ///< s: the shortest wait that is clear so far; negative: none is
+  double clear_pace = 1.0;
+  double too_short = 0.0;  ///< s: a shorter one that is not; or `clear`, if no shorter one is tried
+  int halvings = 0;
+  std::int32_t met = kNoTrack;  ///< the track that the last proof against all things met
   bool is_proving = false;
-  bool is_first_look = false;  ///< the proof is one against that thing alone
+  bool is_first_look = false;  ///< the proof is one against that track alone
   double before = 0.0;         ///< s that the trajectory takes before the joint
   double after = 0.0;
   double duration[kMaxSegments] = {};  ///< of each segment, before any try
@@ -81,13 +90,17 @@ Conflict conflict_of(const ProofReport& found, std::int32_t left) noexcept;
 /// True if the check refused a plan because of a track or of a fence for a while.
 bool meets_in_time(const Problem& problem, const ProofReport& found) noexcept;
 
-/// Begins to look for a time for the trajectory, such that it takes `longest` seconds at most.
+/// Begins to look for a time for the trajectory, such that it takes `longest` seconds at most. Inserts a segment that
+/// rests, if there is room for one.
 void waiting_begin(const Problem& problem, const EndStop* stops, double longest, Trajectory& trajectory,
                    ViaMemory& vias, Waiting& waiting) noexcept;
 
 /// A piece of work is one of the proof against tracks. kDone: the trajectory now is clear of all tracks. kFailed: no
-/// wait and no pace helps; the trajectory waits for nothing, as before any try.
+/// wait and no pace helps; the trajectory flies at its own pace, and the segment that rests has the least duration.
 Progress waiting_advance(const TrackGrounds& grounds, Trajectory& trajectory, Waiting& waiting, Work& work) noexcept;
+
+/// Ends the look before it is over. True if a wait is known to be clear: the trajectory now has the shortest such one.
+bool waiting_stop(Trajectory& trajectory, Waiting& waiting) noexcept;
 
 }  // namespace tern
 

@@ -34,7 +34,7 @@ void Pipeline::begin_goal() noexcept {
   attempts_.current = Attempt::kDirect;
   attempts_.detour = {};
   attempts_.stop_first = {};
-  attempts_.waiting.is_tried = false;
+  attempts_.waiting = {};
   attempts_.around = {};
   conflict_ = {};
   goal_free_ = GoalFree{};

@@ -198,8 +198,9 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kTracks:
-      if (attempts_.waiting.is_tried || attempts_.around.is_looking || attempts_.around.is_flooding) return;
-      return waiting_begin(problem_, m.stops, longest_of(attempts_.around), m.trajectory, m.vias, attempts_.waiting);
+      if (attempts_.around.is_looking || attempts_.around.is_flooding) return;
+      return waiting_begin(problem_, m.stops, longest_of(attempts_.around, attempts_.follow), m.trajectory, m.vias,
+                           attempts_.waiting);
     case Stage::kRequest:
     case Stage::kWorld:
       break;
@@ -283,8 +284,7 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
       attempts_.nearest.status = Status::kBudgetSearch;
       break;
     case Stage::kTracks:
-      attempts_.around.lacking = Status::kBudgetTracks;
-      break;
+      return end_tracks_for_budget();
     case Stage::kRequest:
     case Stage::kWorld:
     case Stage::kTimes:
@@ -294,6 +294,16 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
     case Stage::kStopFirst:
       break;
   }
+  return Progress::kFailed;
+}
+
+/// A wait that is clear is taken, though a shorter one may be, too. If it is known that none is, more budget would find
+/// no more.
+Progress Pipeline::end_tracks_for_budget() noexcept {
+  Around& around = attempts_.around;
+  const bool is_in_time = !around.is_looking && !around.is_flooding;
+  if (is_in_time && waiting_stop(memory_->trajectory, attempts_.waiting)) return Progress::kDone;
+  if (!is_in_time || !attempts_.waiting.is_over) around.lacking = Status::kBudgetTracks;
   return Progress::kFailed;
 }
 

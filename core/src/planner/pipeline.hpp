@@ -73,6 +73,7 @@ class Pipeline {
   Progress run(Work& work) noexcept;
   Progress look_for_time(Work& work) noexcept;
   Progress end_for_budget(Work& work) noexcept;
+  Progress end_tracks_for_budget() noexcept;
   Status end(Stage stage, Status status) noexcept;
 
   // order.cpp: what follows a stage.
