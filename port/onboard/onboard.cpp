@@ -75,7 +75,12 @@ Onboard::Onboard(const Settings& settings, std::unique_ptr<Detector> detector)
   spec_.fences = fence_.count > 0 ? &fence_ : nullptr;
   spec_.fence_count = fence_.count > 0 ? 1 : 0;
   try_settings();
-  if (clusters != "none") notices_.say("what the sensors see move is tracked, as of class " + clusters);
+  if (clusters == "none") return;
+  const bool is_ground_known = settings.fly.ground > kNoGround;
+  notices_.say(
+      "what the sensors see move is tracked, as of class " + clusters +
+          (is_ground_known ? "" : "; ground is not set, so what they see of it within free_radius counts, too"),
+      !is_ground_known);
 }
 
 /// Begins a flight anywhere: what it refuses now, it would refuse in the air.

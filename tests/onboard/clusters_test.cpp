@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "onboard/onboard_lookout.hpp"
@@ -85,6 +86,17 @@ TEST(OnboardClusters, AreNoneWhereAllStandsStill) {
     lookout.fly(2.0);
     EXPECT_EQ(lookout.most, 0u) << is_scan;
     EXPECT_GT(lookout.onboard->status(lookout.now).sensors[0].taken, 15u);
+  }
+}
+
+TEST(OnboardClusters, SayThatTheyAreOnAndThatTheGroundIsNotKnown) {
+  for (const bool is_known : {true, false}) {
+    const Lookout lookout("drone", [is_known](Settings& s) { s.fly.ground = is_known ? 0.0 : -1000.0; });
+    const auto notices = lookout.onboard->take_notices();
+    ASSERT_EQ(notices.size(), 1u);
+    EXPECT_EQ(notices[0].text.find("what the sensors see move is tracked, as of class drone"), 0u);
+    EXPECT_EQ(notices[0].text.find("ground is not set") == std::string::npos, is_known);
+    EXPECT_EQ(notices[0].bad, !is_known);
   }
 }
 
