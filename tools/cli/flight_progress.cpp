@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "host/nanoseconds.hpp"
 #include "tern/flight.hpp"
 
 namespace tern_cli {
@@ -26,9 +27,8 @@ void FlightProgress::note(const tern_host::FlightMoment& moment) {
   has_line_ = true;
   const tern::Vec3 p = moment.vehicle.position();
   const tern::Vec3& goal = world_.goal;
-  std::fprintf(stderr, "\r%.1f s of at most %.0f s flown, %.0f m from the goal: %s  ",
-               1e-9 * static_cast<double>(moment.t), world_.settings.time_limit,
-               std::hypot(p.x - goal.x, std::hypot(p.y - goal.y, p.z - goal.z)),
+  std::fprintf(stderr, "\r%.1f s of at most %.0f s flown, %.0f m from the goal: %s  ", tern_host::seconds_of(moment.t),
+               world_.settings.time_limit, std::hypot(p.x - goal.x, std::hypot(p.y - goal.y, p.z - goal.z)),
                tern::flight_mode_name(moment.report.mode));
   std::fflush(stderr);
 }

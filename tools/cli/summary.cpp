@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/figures.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/nearest_fence.hpp"
 #include "host/nearest_thing.hpp"
 #include "host/number.hpp"

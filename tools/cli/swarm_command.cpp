@@ -13,6 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "host/page/page.hpp"
 #include "host/swarm/swarm.hpp"
@@ -56,8 +57,8 @@ void print_contact(const char* what, const tern_host::SwarmContact& contact) {
   const std::string with = contact.intruder >= 0 ? "intruder " + std::to_string(contact.intruder)
                            : contact.second < 0  ? "an obstacle"
                                                  : "vehicle " + std::to_string(contact.second);
-  std::printf("  %s at %.3f s: vehicle %d and %s, %.3f m\n", what, 1e-9 * static_cast<double>(contact.time),
-              contact.first, with.c_str(), contact.distance);
+  std::printf("  %s at %.3f s: vehicle %d and %s, %.3f m\n", what, tern_host::seconds_of(contact.time), contact.first,
+              with.c_str(), contact.distance);
 }
 
 void print(const tern_host::SwarmWorld& world, const tern_host::SwarmResult& result) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/closed_start.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "host/track_sample.hpp"
 

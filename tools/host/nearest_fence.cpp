@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/nanoseconds.hpp"
 #include "tern/tern.hpp"
 
 namespace tern_host {
@@ -33,8 +34,8 @@ double speed_of(const tern::Segment& segment) {
 /// The part at which the fence holds; empty if it does not.
 Stretch while_held(const Stretch& part, const tern::Fence& fence, double start_time) {
   if (!tern::is_timed(fence)) return part;
-  const double from = 1e-9 * static_cast<double>(fence.from) - fence.clock_error - start_time;
-  const double until = 1e-9 * static_cast<double>(fence.until) + fence.clock_error - start_time;
+  const double from = seconds_of(fence.from) - fence.clock_error - start_time;
+  const double until = seconds_of(fence.until) + fence.clock_error - start_time;
   return {std::max(part.from, from), std::min(part.until, until), part.speed};
 }
 

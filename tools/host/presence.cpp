@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "host/nanoseconds.hpp"
+
 namespace tern_host {
 namespace {
 

@@ -9,6 +9,7 @@
 #include "host/fence_choice.hpp"
 #include "host/grid_layout.hpp"
 #include "host/map/scenario_grid.hpp"
+#include "host/nanoseconds.hpp"
 #include "tern/record.hpp"
 #include "tern_port/port.hpp"
 

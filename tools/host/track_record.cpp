@@ -7,6 +7,7 @@
 
 #include "base/track_fault.hpp"
 #include "host/fence_record.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "host/word_queue.hpp"
 #include "tern/config.hpp"
@@ -132,14 +133,6 @@ void check_track(const TrackRecord& record) {
 }
 
 }  // namespace
-
-std::int64_t nanoseconds(double seconds) {
-  return std::llround(seconds * 1e9);
-}
-
-double seconds_of(std::int64_t nanoseconds) {
-  return 1e-9 * static_cast<double>(nanoseconds);
-}
 
 void read_shape(WordQueue& queue, Track& track) {
   const std::string shape = queue.word("its shape");

@@ -55,12 +55,6 @@ void load_plans(const std::string& folder, const EarthFrame& earth, std::vector<
 /// The tracks for a request. They point into the records.
 std::vector<tern::Track> tracks_of(const std::vector<TrackRecord>& records);
 
-/// Seconds as nanoseconds, rounded.
-std::int64_t nanoseconds(double seconds);
-
-/// Nanoseconds as seconds.
-double seconds_of(std::int64_t nanoseconds);
-
 }  // namespace tern_host
 
 #endif

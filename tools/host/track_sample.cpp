@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/nanoseconds.hpp"
 #include "host/things/surface_distance.hpp"
 
 namespace tern_host {
@@ -49,8 +50,8 @@ Vec3 sum(const Vec3& a, const Vec3& b) {
 }
 
 TrackSample on_curve(const Track& track, double time) {
-  const double since = time - 1e-9 * static_cast<double>(track.measured);
-  const double known_for = 1e-9 * static_cast<double>(track.until - track.measured);
+  const double since = time - seconds_of(track.measured);
+  const double known_for = seconds_of(track.until - track.measured);
   const bool is_over = track.end != TrackEnd::kGoesOn && since > known_for;
   TrackSample sample;
   sample.is_there = since >= 0.0 && !(is_over && track.end == TrackEnd::kGone);
@@ -63,7 +64,7 @@ TrackSample on_curve(const Track& track, double time) {
 
 /// Where it was measured, and how far it may have gone since.
 TrackSample within_reach(const Track& track, double time) {
-  const double since = time - 1e-9 * static_cast<double>(track.measured);
+  const double since = time - seconds_of(track.measured);
   return {since >= 0.0, sum(track.position, way_of(track, 0.0)), track.error + track.reach * since};
 }
 

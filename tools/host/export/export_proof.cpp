@@ -10,6 +10,7 @@
 
 #include "host/figures.hpp"
 #include "host/map/scenario_grid.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "tern/proof.hpp"
 

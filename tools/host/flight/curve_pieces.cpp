@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "tern/flatness.hpp"
 
 namespace tern_host {
@@ -33,7 +34,7 @@ Vec3 off(const Vec3& a, const Vec3& b) {
 }
 
 double seconds(const TimedSample& a, const TimedSample& b) {
-  return 1e-9 * static_cast<double>(b.t - a.t);
+  return seconds_of(b.t - a.t);
 }
 
 /// De Casteljau.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 
 namespace tern_host {
 namespace {
@@ -63,7 +64,7 @@ void FlightFaults::add(const Appearance& appearance) {
 }
 
 bool FlightFaults::appear(std::int64_t t, const Commands& commands) {
-  const double seconds = 1e-9 * static_cast<double>(t);
+  const double seconds = seconds_of(t);
   const std::size_t before = appeared_.size();
   for (auto due = due_.begin(); due != due_.end();) {
     if (due->time > seconds) {

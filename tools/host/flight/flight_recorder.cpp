@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "host/flight/flight_pads.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -56,7 +57,7 @@ void FlightRecorder::note_clearance(const Vehicle& vehicle) {
 void FlightRecorder::note(std::int64_t t, const tern::Command& command, const Vehicle& vehicle, double yaw,
                           const tern::FlightReport& report, bool skipped) {
   const tern::Vec3 p = vehicle.position();
-  const double seconds = 1e-9 * static_cast<double>(t);
+  const double seconds = seconds_of(t);
   note_clearance(vehicle);
   const double error = distance(vehicle.estimate(), command.sample.position);
   result_.tracking_max = std::max(result_.tracking_max, error);

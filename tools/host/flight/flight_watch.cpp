@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -52,7 +53,7 @@ bool at_rest(const Sample& s, const Vec3& end) {
 }
 
 std::string after(std::int64_t t, std::int64_t from) {
-  return fixed(1e-9 * static_cast<double>(t - from), 3) + " s after its commit";
+  return fixed(seconds_of(t - from), 3) + " s after its commit";
 }
 
 }  // namespace
@@ -69,8 +70,7 @@ FlightWatch::FlightWatch(const FlightWorld& world, const tern::FlightSpec& spec,
 
 void FlightWatch::fail(int invariant, const std::string& what, std::int64_t t) {
   if (!broken_.empty()) return;
-  broken_ =
-      "invariant " + std::to_string(invariant) + " at t = " + fixed(1e-9 * static_cast<double>(t), 3) + ": " + what;
+  broken_ = "invariant " + std::to_string(invariant) + " at t = " + fixed(seconds_of(t), 3) + ": " + what;
 }
 
 void FlightWatch::before(std::int64_t t) {

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "flight/flight_state.hpp"
+#include "host/nanoseconds.hpp"
 #include "tern/flight.hpp"
 
 namespace tern_host {
@@ -26,7 +27,7 @@ class FlownPast {
   tern::Sample at(std::int64_t t) const {
     std::size_t k = flown_.size() - 1;
     while (k > 0 && flown_[k].begin > t) --k;
-    return tern::evaluate(flown_[k].flown, 1e-9 * static_cast<double>(t - flown_[k].begin));
+    return tern::evaluate(flown_[k].flown, seconds_of(t - flown_[k].begin));
   }
 
  private:

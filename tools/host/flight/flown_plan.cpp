@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host/flight/flight_recorder.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/text_records.hpp"
 
 namespace tern_host {
@@ -65,7 +66,7 @@ FlightResult fly_plan(const tern::Trajectory& plan, const FlightSettings& settin
   for (std::int64_t k = 0; k <= last; ++k) {
     const double t = static_cast<double>(k) / settings.tick_hz;
     if (k > 0) vehicle->fly_to(t, setpoints);
-    recorder.note(std::llround(1e9 * t), {tern::evaluate(plan, t), to}, *vehicle, yaw, {});
+    recorder.note(nanoseconds(t), {tern::evaluate(plan, t), to}, *vehicle, yaw, {});
   }
   FlightResult result = recorder.finish();
   result.status = result.tracking_max <= settings.tracking_margin ? "kept" : "exceeded";

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 
 namespace tern_host {
 namespace {
@@ -140,7 +141,7 @@ BrakeWay brake_along(const Commands& commands, std::int64_t now, std::int64_t be
   do {
     flown.push_back(commands(now + static_cast<std::int64_t>(flown.size()) * kStepNs));
   } while (flown.size() < kMostSteps && !rests(flown.back()));
-  const double before = 1e-9 * static_cast<double>(begin - now);
+  const double before = seconds_of(begin - now);
   const SlowDown brake(flown, before);
   double duration = kShortest;
   for (int k = 0; k < kTries && !brake.keeps(limits, duration); ++k) duration *= kLonger;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -36,7 +37,7 @@ void MissionWatch::approach(std::int64_t from, std::int64_t to) {
                          sample.position.z - point.position.z};
     if (!(length(off) < point.distance)) continue;
     point.distance = length(off);
-    point.time = 1e-9 * static_cast<double>(t);
+    point.time = seconds_of(t);
     point.speed = length(sample.velocity);
   }
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/flight/full_knowledge.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/track_record.hpp"
 
 namespace tern_host {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "host/nanoseconds.hpp"
+
 namespace tern_host {
 
 std::size_t frame_bytes(const FlightSettings& settings) {
@@ -29,7 +31,7 @@ Sensor::Sensor(const FlightWorld& world, const FlightWorld& still_world, const t
 
 const Sensor::Frame* Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw, double pitch) {
   const FlightSettings& s = world_.settings;
-  const double seconds = 1e-9 * static_cast<double>(t);
+  const double seconds = seconds_of(t);
   if (seconds >= s.frames_until || static_cast<double>(taken_) > seconds * s.sensor_hz) return nullptr;
   ++taken_;
   const bool is_lost = noise_.chance(s.dropout);
@@ -45,7 +47,7 @@ const Sensor::Frame* Sensor::take(std::int64_t t, const Vehicle& vehicle, double
 
 /// The queue whose turn it is, if a frame of it has arrived. Of those that have, only the last one counts.
 std::deque<Sensor::Frame>* Sensor::next(std::int64_t t) {
-  const std::int64_t latency = std::llround(1e9 * world_.settings.sensor_latency);
+  const std::int64_t latency = nanoseconds(world_.settings.sensor_latency);
   const auto arrived = [&](const Frame& taken) {
     return std::visit([](const auto& f) { return f.taken; }, taken) + latency <= t;
   };

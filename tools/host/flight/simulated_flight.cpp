@@ -25,6 +25,7 @@
 #include "host/flight/sensor.hpp"
 #include "host/flight/threat_watch.hpp"
 #include "host/flight/yaw_watch.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
@@ -57,7 +58,7 @@ class Simulation {
   }
 
   FlightResult fly() {
-    const std::int64_t end = std::llround(1e9 * world_.settings.time_limit);
+    const std::int64_t end = nanoseconds(world_.settings.time_limit);
     FlightEnding ending;
     while (time_ <= end && ending.status.empty()) {
       ending = tick();
@@ -178,13 +179,13 @@ class Simulation {
     if (turned != tern::Status::kOk) throw std::runtime_error(world_.name + ": the yaw is refused");
   }
 
-  double seconds() const { return 1e-9 * static_cast<double>(time_); }
+  double seconds() const { return seconds_of(time_); }
 
   /// Where the camera looks now, rad.
   double yaw() const { return plans_yaw_ ? flight_.yaw(time_).angle : gimbal_.yaw(); }
 
   Setpoint setpoint(double t) const {
-    const std::int64_t at = std::llround(1e9 * t);
+    const std::int64_t at = nanoseconds(t);
     const tern::Sample sample = commands_.at(at);
     if (!plans_yaw_) return {sample, gimbal_.yaw() + gimbal_.rate() * (t - seconds()), gimbal_.rate()};
     const auto nose = flight_.yaw(at);
@@ -310,7 +311,7 @@ class Simulation {
     things_.hunt(time_, spec_.tick, *vehicle_);
     for (std::int64_t t = time_; t < next;) {
       t = things_.next(t, search.next(t, next));
-      vehicle_->fly_to(1e-9 * static_cast<double>(t), [this](double at) { return setpoint(at); });
+      vehicle_->fly_to(seconds_of(t), [this](double at) { return setpoint(at); });
       if (t == next) break;
       recorder_.note_clearance(*vehicle_);
       look_at_things(t);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -46,7 +47,7 @@ ThreatWatch::ThreatWatch(const FlightSettings& settings, const tern::FlightSpec&
       meets_(std::move(meets)) {}
 
 void ThreatWatch::fail(const std::string& what, std::int64_t t) {
-  if (broken_.empty()) broken_ = "threat at t = " + fixed(1e-9 * static_cast<double>(t), 3) + ": " + what;
+  if (broken_.empty()) broken_ = "threat at t = " + fixed(seconds_of(t), 3) + ": " + what;
 }
 
 std::int64_t ThreatWatch::first_unproven(std::int64_t t) const {
@@ -124,8 +125,8 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
   const bool is_early =
       report.contact_time < earliest && rooms_.from_solid(place) > kLeastGap && !meets_(place, report.contact_time);
   if (is_early || report.contact_time > latest + kMicrosecond) {
-    fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
-             ", but what is commanded is too near at t = " + fixed(1e-9 * static_cast<double>(unproven_), 4),
+    fail("a contact is announced for t = " + fixed(seconds_of(report.contact_time), 4) +
+             ", but what is commanded is too near at t = " + fixed(seconds_of(unproven_), 4),
          t);
   }
 }
@@ -138,8 +139,8 @@ void ThreatWatch::check_past(std::int64_t t, const tern::FlightReport& report) {
   const double room = rooms_.from_solid(place);
   const bool is_met = room <= kLeastGap || meets_(place, report.contact_time);
   if (is_met && report.contact_time >= t - notice_ticks() * spec_.tick) return;
-  fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
-           ", which is past, with " + brief(room) + " m of room there",
+  fail("a contact is announced for t = " + fixed(seconds_of(report.contact_time), 4) + ", which is past, with " +
+           brief(room) + " m of room there",
        t);
 }
 
@@ -173,7 +174,7 @@ bool ThreatWatch::is_clear(const BrakeWay& way, const std::vector<Appearance>& t
 
 ThreatContact ThreatWatch::meet(std::int64_t t, const std::vector<Appearance>& things) const {
   const Sample now = commands_.at(t);
-  const double tick = 1e-9 * static_cast<double>(spec_.tick);
+  const double tick = seconds_of(spec_.tick);
   ThreatContact contact;
   contact.speed = length(now.velocity);
   contact.shown = shown_ >= 0 && shown_ + (kLead + kNoticeTicks) * spec_.tick < t;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -22,7 +23,7 @@ void YawWatch::look(std::int64_t t) {
 /// they allow. Times are counted in nanoseconds: a tick, or half of one, may not be a whole number of them.
 void YawWatch::check(std::int64_t t) {
   const tern::YawSample now = yaw_(t);
-  const double step = 1e-9 * static_cast<double>(t - last_time_);
+  const double step = seconds_of(t - last_time_);
   const double most = settings_.yaw_acceleration;
   const bool within =
       std::abs(now.yaw.rate) <= settings_.yaw_rate + kSlack && std::abs(now.acceleration) <= most + kSlack;
@@ -33,8 +34,7 @@ void YawWatch::check(std::int64_t t) {
                                      std::abs(turned - mean * step) <= 0.25 * most * step * step + kSlack &&
                                      changed <= most * step + kSlack);
   if (broken_.empty() && !(within && smooth)) {
-    broken_ = std::string("yaw: ") + (within ? "a step" : "beyond its limits") +
-              " at t = " + fixed(1e-9 * static_cast<double>(t), 3);
+    broken_ = std::string("yaw: ") + (within ? "a step" : "beyond its limits") + " at t = " + fixed(seconds_of(t), 3);
   }
   has_last_ = true;
   last_time_ = t;

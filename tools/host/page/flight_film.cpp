@@ -7,6 +7,7 @@
 
 #include "flight/flight_state.hpp"
 #include "host/flight/full_knowledge.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "host/track_sample.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -20,13 +21,9 @@ constexpr double kMostRows = 6000.0;  ///< of the motion
 constexpr double kTubeStep = 0.1;     ///< seconds between rows of a tube, at least
 constexpr double kMostTubeRows = 1200.0;
 
-double seconds(std::int64_t t) {
-  return 1e-9 * static_cast<double>(t);
-}
-
 /// Seconds of the flight's own time, which begins at 0.
 double now(const FlightMoment& moment) {
-  return seconds(moment.state.facts.time);
+  return seconds_of(moment.state.facts.time);
 }
 
 /// Points of a trajectory from `from` seconds on to its end.
@@ -46,7 +43,7 @@ RunJson commands_of(const FlightMoment& moment) {
   RunJson points = RunJson::array();
   const tern::Vec3 end = moment.flight.rest_position();
   for (int i = 0; i < kMostPoints; ++i) {
-    const tern::Sample s = moment.flight.command(moment.t + std::llround(1e9 * kPlanStep * i)).sample;
+    const tern::Sample s = moment.flight.command(moment.t + nanoseconds(kPlanStep * i)).sample;
     append_point(points, s.position);
     const bool moves = std::hypot(s.velocity.x, std::hypot(s.velocity.y, s.velocity.z)) > 0.0;
     if (!moves && s.position.x == end.x && s.position.y == end.y && s.position.z == end.z) break;
@@ -146,7 +143,7 @@ RunJson FlightFilm::tubes_json() const {
 void FlightFilm::note_commit(const FlightMoment& moment) {
   const tern::Commitment& latest = moment.state.facts.plans.latest();
   RunJson commit = {{"t", rounded(now(moment))},
-                    {"branch", rounded(seconds(latest.begin()) + latest.branch)},
+                    {"branch", rounded(seconds_of(latest.begin()) + latest.branch)},
                     {"step", kPlanStep},
                     {"points", commands_of(moment)},
                     {"wished", points_of(latest.planned, latest.branch)}};

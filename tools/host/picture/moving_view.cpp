@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/nanoseconds.hpp"
 #include "host/picture/lettering.hpp"
 #include "host/picture/outline.hpp"
 #include "host/track_sample.hpp"

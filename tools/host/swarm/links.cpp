@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/nanoseconds.hpp"
+
 namespace tern_host {
 
 Links::Links(const LinkSettings& settings, int vehicles, std::uint64_t seed)
@@ -47,7 +49,7 @@ void Links::send(int from, const Packet& packet, std::int64_t now) {
   for (int to = 0; to < vehicles_; ++to) {
     if (to == from || !reaches(from, to)) continue;
     ++sent_;
-    if (loses(from, to, 1e-9 * static_cast<double>(now))) {
+    if (loses(from, to, seconds_of(now))) {
       ++lost_;
       continue;
     }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/swarm/swarm_intruders.hpp"
 
 namespace tern_host {
@@ -76,7 +77,7 @@ class Swarm {
         film();
         film_next += static_cast<std::int64_t>(1e9 * result_.film_step);
       }
-      if (progress) progress(1e-9 * static_cast<double>(now_), result_.arrived());
+      if (progress) progress(seconds_of(now_), result_.arrived());
     }
     result_.computed = processor_time() - began;
     finish();
@@ -127,7 +128,7 @@ class Swarm {
     result_.flight_units += vehicle.report().work;
     result_.most_untold = std::max(result_.most_untold, did.untold);
     result_.most_fleet_units = std::max(result_.most_fleet_units, did.fleet_units);
-    const double now = 1e-9 * static_cast<double>(now_);
+    const double now = seconds_of(now_);
     const double departed = world_.tasks[static_cast<std::size_t>(k)].depart;
     if (member.arrived < 0.0 && vehicle.has_arrived()) member.arrived = now - departed;
   }
@@ -158,7 +159,7 @@ class Swarm {
   }
 
   void finish() {
-    result_.time = 1e-9 * static_cast<double>(now_);
+    result_.time = seconds_of(now_);
     take_findings(watch_, result_);
     result_.packets = links_.sent();
     result_.lost = links_.lost();

@@ -10,6 +10,7 @@
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 #include "host/things/thing_record.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -146,15 +147,15 @@ std::vector<std::string> lines_of(const std::vector<Thing>& things) {
 
 std::vector<tern::Vec3> places_of(const std::vector<ThingMotion>& motions, std::int64_t t) {
   std::vector<tern::Vec3> places;
-  for (const ThingMotion& motion : motions) places.push_back(motion.at(1e-9 * static_cast<double>(t)).position);
+  for (const ThingMotion& motion : motions) places.push_back(motion.at(seconds_of(t)).position);
   return places;
 }
 
 void watch_intruders(const SwarmWorld& world, SwarmWatch& watch) {
   for (const Thing& thing : world.intruders) {
     const ThingMotion motion(thing);
-    watch.add_intruder({thing.radius, motion.bounds().speed,
-                        [motion](std::int64_t t) { return motion.at(1e-9 * static_cast<double>(t)).position; }});
+    watch.add_intruder(
+        {thing.radius, motion.bounds().speed, [motion](std::int64_t t) { return motion.at(seconds_of(t)).position; }});
   }
 }
 

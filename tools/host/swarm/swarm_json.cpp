@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "host/nanoseconds.hpp"
 #include "host/swarm/swarm_intruders.hpp"
 
 namespace tern_host {
@@ -45,7 +46,7 @@ Json members_json(const SwarmResult& result) {
 Json contacts_json(const std::vector<SwarmContact>& contacts) {
   Json all = Json::array();
   for (const SwarmContact& contact : contacts) {
-    Json one{{"time", 1e-9 * static_cast<double>(contact.time)}, {"first", contact.first}};
+    Json one{{"time", seconds_of(contact.time)}, {"first", contact.first}};
     if (contact.intruder < 0) one["second"] = contact.second;
     if (contact.intruder >= 0) one["intruder"] = contact.intruder;
     one["distance"] = contact.distance;

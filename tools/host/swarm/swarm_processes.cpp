@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/swarm/vehicle_process.hpp"
 
 namespace tern_host {
@@ -124,11 +125,11 @@ class Processes {
         SwarmMember& member = result_.members[k];
         if (member.arrived >= 0.0 || !has_news(children_[k].line)) continue;
         expect(children_[k], kArrived);
-        member.arrived = 1e-9 * static_cast<double>(clock_now() - start) - world_.tasks[k].depart;
+        member.arrived = seconds_of(clock_now() - start) - world_.tasks[k].depart;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    result_.time = 1e-9 * static_cast<double>(clock_now() - start);
+    result_.time = seconds_of(clock_now() - start);
   }
 
   void take_result(std::size_t k) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "host/nanoseconds.hpp"
 #include "host/swarm/swarm_intruders.hpp"
 #include "host/things/thing_record.hpp"
 #include "tern/self_test.hpp"
@@ -161,7 +162,7 @@ std::string replay_swarm(const SwarmRecord& record) {
       hash_bytes(&position, sizeof position, carrier.hash);
       if (carrier.hash == tick.hash) continue;
       char text[100];
-      std::snprintf(text, sizeof text, "vehicle %zu differs from %.3f s on", k, 1e-9 * static_cast<double>(tick.now));
+      std::snprintf(text, sizeof text, "vehicle %zu differs from %.3f s on", k, seconds_of(tick.now));
       return text;
     }
   }

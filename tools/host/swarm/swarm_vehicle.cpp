@@ -10,6 +10,7 @@
 
 #include "base/work.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/swarm/swarm_map.hpp"
 #include "host/track_record.hpp"
 
@@ -262,7 +263,7 @@ SwarmTick SwarmVehicle::tick(std::int64_t now, Carrier& carrier) {
   if (intruders_) intruders_->tell(time, place, flight_);
   hear_answer(time);
   const SwarmTask& task = world_.tasks[static_cast<std::size_t>(number_)];
-  if (!has_mission_ && 1e-9 * static_cast<double>(now) >= task.depart) {
+  if (!has_mission_ && seconds_of(now) >= task.depart) {
     has_mission_ = true;
     flight_.set_mission(task.mission.data(), static_cast<std::int32_t>(task.mission.size()), tern::ViaPolicy::kEnd);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 
 namespace tern_host {
 namespace {
@@ -59,7 +60,7 @@ void SwarmWatch::look_at_pair(int i, int j, std::int64_t from, std::int64_t unti
   };
   // Most pairs are too far apart for anything else to matter, and all share the places at the middle.
   const double apart = distance_between(middle_[static_cast<std::size_t>(i)], middle_[static_cast<std::size_t>(j)]);
-  const bool is_far = apart - 2.0 * body_radius_ > top_speed_ * 1e-9 * static_cast<double>(until - from);
+  const bool is_far = apart - 2.0 * body_radius_ > top_speed_ * seconds_of(until - from);
   if (is_far) nearest = apart;
   const bool clear = is_far || stays_clear(far, 2.0 * top_speed_, from, until);
   least_distance_ = std::min(least_distance_, nearest);
@@ -86,7 +87,7 @@ void SwarmWatch::look_at_body(int i, std::int64_t from, std::int64_t until) {
 bool SwarmWatch::moves(int i, std::int64_t t, std::int64_t from, std::int64_t until) const {
   const std::int64_t a = std::max(from, t - kGlance / 2);
   const std::int64_t b = std::min(until, t + kGlance / 2);
-  return distance_between(position_(i, a), position_(i, b)) > kMoving * 1e-9 * static_cast<double>(b - a);
+  return distance_between(position_(i, a), position_(i, b)) > kMoving * seconds_of(b - a);
 }
 
 void SwarmWatch::look_at_intruder(int i, int k, std::int64_t from, std::int64_t until) {

@@ -8,6 +8,7 @@
 
 #include "host/flight/ray_length.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/things/surface_distance.hpp"
 
 namespace tern_host {
@@ -27,7 +28,7 @@ Vec3 error_within(double radius, Noise& noise) {
 }
 
 Vec3 expected_place(const tern::Track& track, std::int64_t t) {
-  return along(track.position, 1e-9 * static_cast<double>(t - track.measured), track.velocity);
+  return along(track.position, seconds_of(t - track.measured), track.velocity);
 }
 
 }  // namespace
@@ -123,7 +124,7 @@ template void Detector::see(const DepthFrame&, const Vec3&, const tern::RollingM
 template void Detector::see(const LidarScan&, const Vec3&, const tern::RollingMap&);
 
 void Detector::deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape) {
-  const std::int64_t latency = std::llround(1e9 * world_.settings.detection_latency);
+  const std::int64_t latency = nanoseconds(world_.settings.detection_latency);
   for (; !waiting_.empty() && waiting_.front().taken + latency <= t; waiting_.pop_front()) {
     tell(waiting_.front(), t, flight, tape);
   }
@@ -186,7 +187,7 @@ bool Detector::explains(const Vec3& point, std::int64_t t, double room) const {
   constexpr double kLongest = 0.5;  // s between frame and measurement, and
   constexpr double kWidest = 1.0;   // m of error, beyond which tracks explain no hits
   return std::any_of(told_.begin(), told_.end(), [&](const tern::Track& track) {
-    const double age = std::abs(1e-9 * static_cast<double>(t - track.measured));
+    const double age = std::abs(seconds_of(t - track.measured));
     if (age > kLongest) return false;
     return surface_distance(track, expected_place(track, t), point) <=
            std::min(error_after(track, age), kWidest) + room;
@@ -198,7 +199,7 @@ bool Detector::meets(const Vec3& place, std::int64_t t) const {
   const FlightSettings& s = world_.settings;
   const double clearance = s.body_radius + s.pose_margin + s.tracking_margin + kRounding;
   const auto is_met = [&](const tern::Track& track) {
-    const double age = 1e-9 * static_cast<double>(t - track.measured);
+    const double age = seconds_of(t - track.measured);
     if (age < 0.0) return false;
     const bool reaches = track.reach == 0.0 ||
                          surface_distance(track, track.position, place) <= track.error + track.reach * age + clearance;

@@ -14,6 +14,7 @@
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/things/cluster_detector.hpp"
 #include "host/things/thing_motion.hpp"
 #include "host/things/tracking_watch.hpp"
@@ -72,7 +73,7 @@ class Detector {
   };
 
   bool sees(const tern::Vec3& eye, const tern::Vec3& place) const;
-  double seconds(std::int64_t t) const { return 1e-9 * static_cast<double>(t - begin_); }
+  double seconds(std::int64_t t) const { return seconds_of(t - begin_); }
   Measurement measure(std::size_t thing, std::int64_t t, const tern::Vec3& pose_error);
   void swap_identities(std::vector<Measurement>& seen);
   void tell(const Scan& scan, std::int64_t t, tern::Flight& flight, FlightTape& tape);

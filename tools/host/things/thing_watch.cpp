@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/things/surface_distance.hpp"
 
 namespace tern_host {
@@ -50,7 +51,7 @@ double outside(const tern::Track& track, const Thing& thing, const tern::Vec3& o
 }  // namespace
 
 bool is_in_tube(const tern::Track& track, const Thing& thing, const tern::Vec3& place, std::int64_t t) {
-  const double s = 1e-9 * static_cast<double>(t - track.measured);
+  const double s = seconds_of(t - track.measured);
   if (s < 0.0) return false;
   constexpr double kRounding = 1e-9;
   const double moved = outside(track, thing, along(place, -1.0, track.position));
@@ -83,7 +84,7 @@ std::int64_t ThingWatch::next(std::int64_t t, std::int64_t end) const {
 void ThingWatch::look(std::int64_t t, const MovingBody& body, double command_speed) {
   for (std::size_t k = 0; k < things_.size(); ++k) {
     if (due_[k] > t) continue;
-    const tern::Vec3 place = motions_[k].at(1e-9 * static_cast<double>(t)).position;
+    const tern::Vec3 place = motions_[k].at(seconds_of(t)).position;
     const double gap = surface_distance(things_[k], place, body.position) - body.radius;
     const bool touches = gap < -kShallow;
     if (touches && !touches_[k]) begin_contact(k, t, place, command_speed);
@@ -97,7 +98,7 @@ void ThingWatch::look(std::int64_t t, const MovingBody& body, double command_spe
 void ThingWatch::begin_contact(std::size_t thing, std::int64_t t, const tern::Vec3& place, double command_speed) {
   const std::optional<tern::Track>& track = proven_with_[thing];
   const bool in_tube = is_proven_ && track.has_value() && is_in_tube(*track, things_[thing], place, t);
-  contacts_.push_back({thing, 1e-9 * static_cast<double>(t), command_speed, command_speed > kMoving, in_tube});
+  contacts_.push_back({thing, seconds_of(t), command_speed, command_speed > kMoving, in_tube});
 }
 
 const ThingContact* ThingWatch::in_motion() const {

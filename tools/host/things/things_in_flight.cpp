@@ -6,6 +6,7 @@
 
 #include "host/flight/contact_search.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -31,7 +32,7 @@ ThingsInFlight::ThingsInFlight(const FlightWorld& world)
 
 void ThingsInFlight::sense(std::int64_t t, const Vehicle& vehicle) {
   detector_.take(t, vehicle.position(), vehicle.estimate());
-  const double seconds = 1e-9 * static_cast<double>(t);
+  const double seconds = seconds_of(t);
   if (places_.empty() || static_cast<double>(places_[0].size()) * step_ > seconds) return;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     places_[k].push_back(motions_[k].at(seconds).position);
@@ -46,7 +47,7 @@ void ThingsInFlight::note_tick(const tern::FlightReport& report, bool evades) {
 
 void ThingsInFlight::hunt(std::int64_t t, std::int64_t step, const Vehicle& vehicle) {
   for (ThingMotion& motion : motions_) {
-    motion.hunt(1e-9 * static_cast<double>(t), 1e-9 * static_cast<double>(step), vehicle.position());
+    motion.hunt(seconds_of(t), seconds_of(step), vehicle.position());
   }
 }
 

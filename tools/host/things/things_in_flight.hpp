@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/flight/flight_contact.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/things/detector.hpp"
 #include "host/things/thing_watch.hpp"
 #include "host/vehicle/vehicle.hpp"
@@ -58,9 +59,7 @@ class ThingsInFlight {
   bool look(std::int64_t t, const Vehicle& vehicle, const tern::Sample& command);
 
   /// Where a thing is.
-  tern::Vec3 place(std::size_t thing, std::int64_t t) const {
-    return motions_[thing].at(1e-9 * static_cast<double>(t)).position;
-  }
+  tern::Vec3 place(std::size_t thing, std::int64_t t) const { return motions_[thing].at(seconds_of(t)).position; }
   ThingTotals totals() const { return {detector_.counts(), detector_.tracking(), watch_.contacts(), step_, places_}; }
   /// A contact in motion with a thing that kept its bounds, in words; empty while there is none.
   std::string broken() const;

@@ -7,6 +7,7 @@
 
 #include "host/flight/sensor_mount.hpp"
 #include "host/flight/vectors.hpp"
+#include "host/nanoseconds.hpp"
 #include "host/things/surface_distance.hpp"
 #include "host/things/thing_watch.hpp"
 
@@ -20,10 +21,6 @@ constexpr double kOnThing = 0.2;  // m, of a hit
 constexpr int kLeastHits = 8;
 constexpr double kHeldFor = 0.5;    // s
 constexpr double kOutOfView = 1.0;  // s
-
-double seconds(std::int64_t t) {
-  return 1e-9 * static_cast<double>(t);
-}
 
 std::vector<Vec3> hits_of(const DepthFrame& frame, double range) {
   std::vector<Vec3> hits;
@@ -53,7 +50,7 @@ std::size_t TrackingWatch::thing_of(const tern::Track& track) const {
   std::size_t nearest = kNoThing;
   double least = kNear;
   for (std::size_t k = 0; k < things_.size(); ++k) {
-    const Vec3 place = motions_[k].at(seconds(track.measured)).position;
+    const Vec3 place = motions_[k].at(seconds_of(track.measured)).position;
     const double far = surface_distance(things_[k], place, track.position);
     if (far > least) continue;
     least = far;
@@ -85,7 +82,7 @@ void TrackingWatch::note_view(std::size_t thing, double now) {
 template <typename Frame>
 void TrackingWatch::note(const Frame& frame, double range, const std::vector<tern::Track>& tracks) {
   ++figures_.scans;
-  const double now = seconds(frame.taken);
+  const double now = seconds_of(frame.taken);
   for (const tern::Track& track : tracks) {
     const std::size_t thing = thing_of(track);
     (thing == kNoThing ? unreal_ : real_).insert(track.id);
@@ -109,7 +106,7 @@ void TrackingWatch::note_told(const tern::Track& track, std::int64_t t) {
     ++figures_.of_nothing;
     return;
   }
-  if (!is_in_tube(track, things_[thing], motions_[thing].at(seconds(t)).position, t)) ++figures_.outside;
+  if (!is_in_tube(track, things_[thing], motions_[thing].at(seconds_of(t)).position, t)) ++figures_.outside;
 }
 
 TrackingFigures TrackingWatch::figures() const {
