@@ -32,7 +32,6 @@ class Recording {
   /// A flight is to begin: it gets a record of its own.
   void begin(std::int64_t now);
   /// It was refused: it gets no record.
-  /// It was refused, and gets none.
   void cancel() { recorder_ = {}; }
   /// The room is full: the record ends with what fitted.
   void end();
