@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "tern_stacks/stacks.hpp"
-#if __has_include("tern_tracker/cluster_detector.hpp")
+#ifdef TERN_COMPANION_HAS_TRACKER
 #include "tern_tracker/cluster_detector.hpp"
-#define TERN_COMPANION_HAS_TRACKER
 #endif
 
 namespace tern_companion {

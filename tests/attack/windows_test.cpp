@@ -75,6 +75,22 @@ TEST_F(Windows, AlongAWall) {
   }
 }
 
+/// A kink into a wall, between straight ways beside it.
+TEST_F(Windows, JointsAreLookedAt) {
+  plan_.count = 2;
+  plan_.segments[0].duration = 0.3;
+  plan_.segments[1].duration = 1.7;
+  for (int k = 0; k < tern::kControlPoints; ++k) {
+    plan_.segments[0].points[k] = {0.3 * k / 7.0, 0.6 * k / 7.0, 0.0};
+    plan_.segments[1].points[k] = {0.3 + 1.7 * k / 7.0, 0.6 - 0.6 * k / 7.0, 0.0};
+  }
+  world_.spec.radius = 0.0;
+  tern::box_planes({{-1.0, 0.5, -1.0}, {5.0, 2.0, 1.0}}, wall_);
+  EXPECT_TRUE(broken(tern::FenceKind::kKeepOut, -1.0, 3.0));
+  tern::box_planes({{-1.0, 0.61, -1.0}, {5.0, 2.0, 1.0}}, wall_);
+  EXPECT_FALSE(broken(tern::FenceKind::kKeepOut, -1.0, 3.0));
+}
+
 /// The plan leaves the room after 2 s; it is 1 m too far then.
 TEST_F(Windows, KeepIn) {
   EXPECT_TRUE(broken(tern::FenceKind::kKeepIn, -1.0, 3.0));

@@ -45,6 +45,18 @@ TEST(FineParts, PartsTogetherAreTheWhole) {
   EXPECT_TRUE(in_parts.grid.inflated());
 }
 
+/// A wall that ends at the ceiling, below the upper half of its cells.
+TEST(FineParts, WallsUnderALowCeilingStay) {
+  tern::GridSpec spec = whole_grid({5, 3, 1}, 4.0, 0.0);
+  spec.boundary.upper.z = 2.0;
+  OwnedGrid flat{spec};
+  tern_host::mark_from_fine(flat.grid, [](tern::Grid& grid) { grid.mark_box({{8.0, 0.0, 0.0}, {9.0, 12.0, 2.0}}); });
+  for (int y = 0; y < 3; ++y) {
+    EXPECT_TRUE(flat.grid.free({1, y, 0}));
+    EXPECT_TRUE(flat.grid.obstacle({2, y, 0}));
+  }
+}
+
 TEST(FineParts, CellsThatAreTooSmallAreRefused) {
   OwnedGrid coarse{whole_grid({2, 2, 2}, 2.0 * tern::kMinCell, 0.0)};
   EXPECT_THROW(tern_host::mark_from_fine(coarse.grid, mark_plates), std::runtime_error);

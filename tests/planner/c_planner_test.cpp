@@ -143,6 +143,8 @@ TEST(CPlanner, AFineGridMarksACoarseOne) {
   std::uint8_t field = 0;
   EXPECT_EQ(tern_grid_mark_grid(&coarse, &fine, &field), kInvalid);
   EXPECT_STREQ(tern_field_name(field), "grid not inflated");
+  EXPECT_EQ(tern_grid_mark_grid(&coarse, nullptr, &field), kInvalid);
+  EXPECT_STREQ(tern_field_name(field), "grid storage");
   ASSERT_EQ(tern_grid_inflate(&fine), kOk);
   const std::uint64_t* const row = coarse_words.data() + 8;  // behind the header
   EXPECT_EQ(*row, 0u);

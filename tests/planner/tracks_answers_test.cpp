@@ -88,6 +88,32 @@ TEST_F(Among, ArrivesWhenTheGoalIsFree) {
   EXPECT_NEAR(world_.report.conflict, alone, 0.05);
 }
 
+/// Of two things at the goal, the one that leaves last counts.
+TEST_F(Among, WhatCoversTheGoalLastIsNamed) {
+  Track leaves = ball({7.45, 2.05, 1.05}, {0.0, 0.0, 0.0});
+  leaves.until = 90 * kSecond;
+  leaves.end = TrackEnd::kGone;
+  Track stays = ball({7.45, 2.1, 1.05}, {0.0, 0.0, 0.0});
+  EXPECT_EQ(plan({leaves, stays}), Status::kGoalCovered);
+  EXPECT_EQ(world_.report.track, 1);
+  EXPECT_EQ(plan({stays, leaves}), Status::kGoalCovered);
+  EXPECT_EQ(world_.report.track, 0);
+  EXPECT_EQ(world_.report.goal_free, kForever);
+}
+
+/// A budget that ends while it is looked when the goal is free says so, and nothing else.
+TEST_F(Among, ABudgetThatEndsAtTheGoalIsTheAnswer) {
+  Track parked = ball({7.45, 2.05, 1.05}, {0.0, 0.0, 0.0});
+  parked.until = 90 * kSecond;
+  parked.end = TrackEnd::kGone;
+  ASSERT_EQ(plan({parked}), Status::kGoalCovered);
+  const std::uint32_t work = world_.report.diagnostics.stages[static_cast<int>(Stage::kTracks)].work;
+  for (std::uint32_t budget = work - 700; budget < work; budget += 7) {
+    world_.request.budget.tracks = budget;
+    EXPECT_EQ(plan({parked}), Status::kBudgetTracks) << budget;
+  }
+}
+
 TEST_F(Among, ABlockedWayHasNoClearTime) {
   Track wall = ball({4.0, 2.0, 1.0}, {0.0, 0.0, 0.0});
   wall.shape = TrackShape::kBox;

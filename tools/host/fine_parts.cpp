@@ -3,6 +3,7 @@
 #include "host/fine_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -64,9 +65,25 @@ void mark_part(const tern::GridSpec& spec, const std::function<void(tern::Grid&)
   }
 }
 
+/// True if the boundary holds no whole cell on an axis.
+bool is_flat(const tern::Grid& coarse) {
+  const tern::Box inside = coarse.local_boundary();
+  const double c = coarse.spec().cell;
+  const auto whole = [c](double lower, double upper) {
+    return std::floor(upper / c + 1e-9) > std::ceil(lower / c - 1e-9);
+  };
+  return !whole(inside.lower.x, inside.upper.x) || !whole(inside.lower.y, inside.upper.y) ||
+         !whole(inside.lower.z, inside.upper.z);
+}
+
 }  // namespace
 
 void mark_from_fine(tern::Grid& coarse, const std::function<void(tern::Grid&)>& mark) {
+  if (is_flat(coarse)) {
+    mark(coarse);
+    coarse.inflate();
+    return;
+  }
   const tern::Voxel dims = coarse.spec().dims;
   std::vector<std::uint64_t> words;
   for (const Run& z : runs_of(dims.z)) {

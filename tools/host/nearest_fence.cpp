@@ -67,6 +67,8 @@ NearestFence nearest_fence(const tern::Trajectory& plan, const Scenario& scenari
     begin = part.until;
     for (std::size_t i = 0; i < scenario.fences.size(); ++i) {
       const FenceRecord& fence = scenario.fences[i];
+      // A plan may leave a keep-in for a while into the next one, so its faces are no bounds.
+      if (tern::is_timed(fence.fence) && fence.fence.kind == tern::FenceKind::kKeepIn) continue;
       const double gap = least_gap(plan, while_held(part, fence.fence, scenario.start_time), fence, nearest.gap);
       if (gap < nearest.gap) nearest = {static_cast<std::int32_t>(i), gap};
     }

@@ -47,9 +47,10 @@ enum class FarState : uint8_t {
 /// is. It spends counted work alone, so the same calls have the same answers on every machine.
 ///
 /// The coarse grid is an ordinary grid with large cells: bind it with radius 0, mark everything that is known, and
-/// inflate it. A cell is free only if nothing known reaches into it. So each passage that is two cells wide stays open,
-/// whatever its place, and a narrower one may be lost. Coarse grid and planner must outlive this object, at the same
-/// addresses, and nobody else may plan with this planner. It must not be the one of the Flight.
+/// inflate it. With boxes, a cell is free only if nothing known reaches into it, and each passage that is two cells
+/// wide stays open; with Grid::mark_grid, one that is one cell wide. A narrower one may be lost. Coarse grid and
+/// planner must outlive this object, at the same addresses, and nobody else may plan with this planner. It must not be
+/// the one of the Flight.
 class FarWay {
  public:
   /// kOk; kNonFiniteInput; kInvalidArgument: a spec out of range, `ahead` of less than kLeastAhead cells or more than

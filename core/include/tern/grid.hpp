@@ -118,8 +118,8 @@ class Grid {
   /// Marks what a fine grid closes in this coarse one, whose cells are 4 x 4 x 4 (kFineVoxels) voxels of the fine grid.
   /// A cell is closed if less than half of it is one connected part of free voxels, or if its part does not meet that
   /// of a neighbour through their common face, and is the smaller of the two (of equal ones, the one further along the
-  /// axis). So through any two cells that share a face and are not closed, there is a way from free voxel to free
-  /// voxel. A cell that is wholly free is never closed.
+  /// axis). So through any two cells that share a face, that the fine grid holds and that are not closed, there is a
+  /// way from free voxel to free voxel. A cell that is wholly free is never closed.
   ///
   /// The fine grid's first voxel must be that of a coarse cell. Cells that it does not hold as a whole, or that are
   /// outside this grid, stay as they are. A world that is too large for one fine grid is marked in overlapping parts:

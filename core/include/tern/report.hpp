@@ -92,7 +92,8 @@ struct Report {
   /// fault lies with the start, with the way from the last via to the goal, or with no single part of the way.
   int32_t via = kNoVia;
   /// If `status` is kStartInContact, kGoalCovered or kNoClearTime: the index in Request::tracks of the first one that
-  /// the first plan was not proven clear of; kNoTrack if it is a fence for a while, which `fence` says. If `field` is
+  /// the first plan was not proven clear of; for kGoalCovered, of the last one that covers the goal before `goal_free`.
+  /// kNoTrack if it is a fence for a while, which `fence` says. If `field` is
   /// kTracks: the index of the track that is wrong. For kOk: the first track that the plan begins too near to, and
   /// leaves. Else kNoTrack.
   int32_t track = kNoTrack;

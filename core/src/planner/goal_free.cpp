@@ -61,8 +61,10 @@ Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajec
     goal.is_proving = false;
     const ProofReport& found = proof.report();
     const bool is_free = found.finding == Finding::kNone;
-    if (!is_free && conflict.status != Status::kGoalCovered)
-      conflict = {Status::kGoalCovered, found.track, found.fence, found.until};
+    if (!is_free) {
+      const double covered = conflict.status == Status::kGoalCovered ? conflict.until : found.until;
+      conflict = {Status::kGoalCovered, found.track, found.fence, covered};
+    }
     goal.is_done = !look_on(is_free, found.until, goal);
   }
   return Progress::kDone;

@@ -36,7 +36,8 @@ struct GoalFree {
 void goal_free_begin(double arrival, GoalFree& goal) noexcept;
 
 /// Looks at the end of a trajectory to the goal that begins when the plan does: when it arrives, and, if the goal is
-/// covered then, later. In that case, `conflict` becomes kGoalCovered. A piece of work is one of the proof, which is
+/// covered then, later. In that case, `conflict` becomes kGoalCovered, with what covers it last and since when it is
+/// covered. A piece of work is one of the proof, which is
 /// memory from call to call. kMore or kDone.
 Progress goal_free_advance(const TrackGrounds& grounds, const Trajectory& trajectory, GoalFree& goal,
                            Conflict& conflict, TrackProof& proof, Work& work) noexcept;

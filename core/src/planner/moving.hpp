@@ -50,7 +50,7 @@ constexpr int kWaits = 30;
 constexpr int kPaces = 7;
 constexpr int kWaitingTries = kWaits * kPaces;
 /// Shorter waits that are tried after one that is clear, by halving.
-constexpr int kWaitHalvings = 8;
+constexpr int kWaitHalvings = 12;
 
 enum class WaitingStep : std::uint8_t {
   kTries,   ///< waits and paces, until one is clear

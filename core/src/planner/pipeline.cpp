@@ -297,13 +297,12 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
   return Progress::kFailed;
 }
 
-/// A wait that is clear is taken, though a shorter one may be, too. If it is known that none is, more budget would find
-/// no more.
+/// A wait that is clear is taken, though a shorter one may be, too.
 Progress Pipeline::end_tracks_for_budget() noexcept {
   Around& around = attempts_.around;
   const bool is_in_time = !around.is_looking && !around.is_flooding;
   if (is_in_time && waiting_stop(memory_->trajectory, attempts_.waiting)) return Progress::kDone;
-  if (!is_in_time || !attempts_.waiting.is_over) around.lacking = Status::kBudgetTracks;
+  around.lacking = Status::kBudgetTracks;
   return Progress::kFailed;
 }
 

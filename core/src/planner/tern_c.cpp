@@ -138,9 +138,9 @@ std::uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, std:
 
 std::uint8_t tern_grid_mark_grid(tern_grid* coarse, const tern_grid* fine, std::uint8_t* field) {
   Grid* marked = object(coarse);
-  if (marked == nullptr || fine == nullptr) return kInvalid;
-  tern::Field wrong = tern::Field::kNone;
-  const Status status = marked->mark_grid(object(fine), &wrong);
+  tern::Field wrong = tern::Field::kStorage;
+  Status status = Status::kInvalidArgument;
+  if (marked != nullptr && fine != nullptr) status = marked->mark_grid(object(fine), &wrong);
   if (field != nullptr) *field = static_cast<std::uint8_t>(wrong);
   return code(status);
 }

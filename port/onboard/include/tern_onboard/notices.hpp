@@ -40,7 +40,7 @@ enum class Fault : std::uint8_t {
   kThingBackward,  ///< it was sighted at the time of its last sighting, or before; not said
   kThingAhead,     ///< it was sighted ahead of the clock
   kThingOld,       ///< it was sighted longer ago than thing_memory
-  kThingsFull,     ///< more things are near than a flight can know
+  kThingsFull,     ///< more things are near than a flight can know, or more move in a frame than its detector can hold
 };
 constexpr std::size_t kFaults = 27;
 
