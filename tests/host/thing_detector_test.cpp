@@ -174,6 +174,17 @@ TEST(ThingDetector, AVehicleMeetsATubeWithinItsClearance) {
   EXPECT_FALSE(told.detector->meets({x - 0.501, track.position.y, track.position.z}, 1000000000));
 }
 
+// A column with a radius of 0.3 m, 2 m high, measured without error at (2, 0, 1), and 0.2 m of room: 0.5 m beside
+// and 1.2 m above its centre.
+TEST(ThingDetector, HitsAtTheEdgeOfAGrownColumnAreItsOwn) {
+  ToldFlight told({"column cylinder 0.3 2 hunt 2 0 1 1 1 0"}, {"detection_latency=0", "detection_error=0,0"});
+  told.tick();
+  EXPECT_TRUE(told.detector->explains({1.501, 0.0, 2.199}, 0, 0.2));
+  EXPECT_FALSE(told.detector->explains({1.499, 0.0, 2.199}, 0, 0.2));
+  EXPECT_FALSE(told.detector->explains({1.501, 0.0, 2.201}, 0, 0.2));
+  EXPECT_FALSE(told.detector->explains({1.7, 0.0, 2.0}, 600000000, 0.2)) << "0.6 s after the measurement";
+}
+
 TEST(ThingDetector, SeesNeitherTooFarNorThroughWalls) {
   const std::string near = "near ball 0.3 hunt 5 0 1 1 1 0";
   const std::string far = "far ball 0.3 hunt 9 0 1 1 1 0";

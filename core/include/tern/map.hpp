@@ -209,11 +209,11 @@ class RollingMap {
   /// count from `begin` of the frames' clock. They must stay until the next call; null ends it. A flight does this by
   /// itself in every tick, with the things of Flight::update_track().
   ///
-  /// A thing explains the hits in voxels whose centre is in its shape at the time of the frame, grown by its error
-  /// then, by the errors of pose and depth, and by half the diagonal of a voxel. It explains none in frames taken more
-  /// than kExplainsFor before it was measured, or after, unless it has pieces; none once its error exceeds
-  /// kExplainsWithin; and none after Track::until if that counts, unless it has pieces and stays. Its voxels are not
-  /// seen free by that either: what was never seen stays unknown.
+  /// A thing explains the hits in voxels whose centre is in its shape at the time of the frame. Its radius and its half
+  /// extents are grown by its error then, by the errors of pose and depth, and by half the diagonal of a voxel. It
+  /// explains none in frames taken more than kExplainsFor before it was measured, or after, unless it has pieces; none
+  /// once its error exceeds kExplainsWithin; and none after Track::until if that counts, unless it has pieces and
+  /// stays. Its voxels are not seen free by that either: what was never seen stays unknown.
   void explain_hits(const Track* tracks, int32_t count, int64_t begin = 0) noexcept;
   /// True while a job is not finished.
   bool busy() const noexcept;

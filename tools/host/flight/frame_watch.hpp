@@ -14,7 +14,8 @@
 
 namespace tern_host {
 
-/// True if what a frame of time t, ns, hits within `room` m of `point` may be a thing that moves, which marks no voxel.
+/// True if what a frame of time t, ns, hits at `point` may be a thing that moves, grown by `room` m on all sides. Such
+/// hits mark no voxel.
 using Explains = std::function<bool(const tern::Vec3& point, std::int64_t t, double room)>;
 
 /// Holds a map to the sixth invariant, with code of its own and at random voxels of every frame: a voxel becomes free

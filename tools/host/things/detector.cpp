@@ -189,8 +189,7 @@ bool Detector::explains(const Vec3& point, std::int64_t t, double room) const {
   return std::any_of(told_.begin(), told_.end(), [&](const tern::Track& track) {
     const double age = std::abs(seconds_of(t - track.measured));
     if (age > kLongest) return false;
-    return surface_distance(track, expected_place(track, t), point) <=
-           std::min(error_after(track, age), kWidest) + room;
+    return growth_until(track, expected_place(track, t), point) <= std::min(error_after(track, age), kWidest) + room;
   });
 }
 

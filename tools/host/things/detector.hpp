@@ -46,8 +46,8 @@ class Detector {
   void deliver(std::int64_t t, tern::Flight& flight, FlightTape& tape);
   /// What the flight was told last of a thing that it knows; null if it knows it not.
   const tern::Track* known(std::size_t thing) const;
-  /// True if what a frame of time t, ns, hits within `room` m of `point` may be a thing of which the flight was told,
-  /// by a measurement from about then.
+  /// True if `point` is in a thing of which the flight was told by a measurement from about t, ns: in its shape at t,
+  /// whose radius and half extents are grown by its error and `room`, m. As RollingMap::explain_hits() has it.
   bool explains(const tern::Vec3& point, std::int64_t t, double room) const;
   /// True if a vehicle at `place` at time t, ns, is nearer than its clearance to the tube of a thing that the flight
   /// knows, or knew lately.

@@ -30,6 +30,23 @@ double surface_distance(const Shaped& thing, const tern::Vec3& center, const ter
   return distance_beyond(level, up);
 }
 
+/// By how much the radius and the half extents of a Thing or a Track whose centre is at `center` must grow until it
+/// holds a point, m; negative inside. For a point beyond an edge or a corner, that is less than its distance.
+template <typename Shaped>
+double growth_until(const Shaped& thing, const tern::Vec3& center, const tern::Vec3& point) {
+  const tern::Vec3 d{point.x - center.x, point.y - center.y, point.z - center.z};
+  const double up = std::abs(d.z) - thing.half.z;
+  switch (thing.shape) {
+    case tern::TrackShape::kCylinder:
+      return std::max(std::hypot(d.x, d.y) - thing.radius, up);
+    case tern::TrackShape::kBox:
+      return std::max({std::abs(d.x) - thing.half.x, std::abs(d.y) - thing.half.y, up});
+    case tern::TrackShape::kBall:
+      break;
+  }
+  return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) - thing.radius;
+}
+
 /// By how much a track may be off after `age` s, without regard to its reach, m.
 inline double error_after(const tern::Track& track, double age) {
   return track.error + track.error_speed * age + 0.5 * track.error_growth * age * age;
