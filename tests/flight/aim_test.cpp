@@ -124,7 +124,7 @@ TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
     room.flight.set_goal({8.125, 0.125, 1.125});
     FlightState& state = room.state();
     state.facts.time = state.draft.takeover = 2000000000;
-    state.cycle.route.begin(room.map(), room.start, 0.0, 0.0, 0.0);
+    state.cycle.route.begin(room.map(), room.start, {0.0, 0.0, 0.0, false});
     for (int k = 0; k < 100000 && !state.cycle.route.done(); ++k)
       state.cycle.route.advance(room.map(), state.tick_work);
     EXPECT_TRUE(state.cycle.route.done());

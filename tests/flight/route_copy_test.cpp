@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "support/flight_room.hpp"
@@ -21,9 +22,7 @@ using tern_test::Random;
 
 struct Around {
   Vec3 centre;
-  double near;
-  double hole;
-  double emptied;
+  CopyRule rule;
 };
 
 /// True if a voxel's cube and the box within `radius` of the centre along each axis have a point in common.
@@ -44,12 +43,23 @@ bool meets_ball(const Vec3& low, double cell, const Vec3& centre, double radius)
   return square < radius * radius;
 }
 
+/// True if the first voxel from this one up or down that was seen, and the three beyond it, are obstacles.
+bool follows_wall(RollingMap& map, Voxel v, int up) {
+  while (map.safe().inside(v) && map.safe().obstacle(v) && !map.route().obstacle(v)) v.z += up;
+  for (int n = 0; n < 4; ++n, v.z += up) {
+    if (!map.route().inside(v) || !map.route().obstacle(v)) return false;
+  }
+  return true;
+}
+
 bool is_solid(RollingMap& map, const Voxel& v, const Around& around) {
   const double cell = FlightRoom::kCell;
   const Vec3 low = map.route().spec().origin + cell * Vec3{1.0 * v.x, 1.0 * v.y, 1.0 * v.z};
-  const bool is_hidden = map.safe().obstacle(v) && meets_box(low, cell, around.centre, around.near) &&
-                         !meets_box(low, cell, around.centre, around.hole);
-  return (map.route().obstacle(v) || is_hidden) && !meets_ball(low, cell, around.centre, around.emptied);
+  const bool is_near =
+      meets_box(low, cell, around.centre, around.rule.near) && !meets_box(low, cell, around.centre, around.rule.hole);
+  const bool is_walled = around.rule.has_walls && (follows_wall(map, v, 1) || follows_wall(map, v, -1));
+  const bool is_hidden = map.safe().obstacle(v) && (is_near || is_walled);
+  return (map.route().obstacle(v) || is_hidden) && !meets_ball(low, cell, around.centre, around.rule.emptied);
 }
 
 void expect_composed(RollingMap& map, const RouteCopy& copy, const Around& around) {
@@ -98,12 +108,44 @@ TEST(RouteCopy, IsTheSameAsComposedAnew) {
     }
     while (map.busy()) map.step(std::uint32_t{100000});
     const double hole = k % 4 == 1 ? 1.0 : 0.0;
-    const Around around{at, k % 5 == 4 ? 0.0 : random.real(0.5, 3.0), hole, k % 4 == 3 ? 0.5 : 0.0};
-    copy.begin(map, around.centre, around.near, around.hole, around.emptied);
+    const double near = k % 5 == 4 ? 0.0 : random.real(0.5, 3.0);
+    const Around around{at, {near, hole, k % 4 == 3 ? 0.5 : 0.0, k % 3 != 1}};
+    copy.begin(map, around.centre, around.rule);
     Work work;
     while (!copy.done()) copy.advance(map, work);
     expect_composed(map, copy, around);
   }
+}
+
+/// Of 24 voxels a column, 0 .. 23, those of 8 .. 11 and, elsewhere, of 8 .. 10 were hit. Above the third column's wall
+/// there are voxels that were seen free.
+TEST(RouteCopy, WhatFollowsAWallOfFourVoxelsIsSolid) {
+  tern_test::OwnedMap owned(FlightRoom::map_spec());
+  RollingMap& map = owned.map;
+  const auto mark = [&map](int x, int count) {
+    const Vec3 low = map.route().spec().origin + FlightRoom::kCell * Vec3{1.0 * x, 64.0, 8.0};
+    EXPECT_EQ(map.mark_box({low + Vec3{0.01, 0.01, 0.01}, low + Vec3{0.24, 0.24, 0.25 * count - 0.01}}), Status::kOk);
+  };
+  mark(20, 4);
+  mark(40, 3);
+  mark(100, 4);
+  const Vec3 above = map.route().spec().origin + FlightRoom::kCell * Vec3{100.5, 64.5, 15.5};
+  ASSERT_EQ(map.assume_free(above, 0.5), Status::kOk);
+  std::vector<std::uint64_t> words(grid_words(FlightRoom::map_spec().dims));
+  RouteCopy copy;
+  ASSERT_EQ(copy.bind(map, words.data(), words.size()), Status::kOk);
+  copy.begin(map, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, true});
+  Work work;
+  while (!copy.done()) copy.advance(map, work);
+  const auto solid_in = [&copy](int x) {
+    std::string found;
+    for (std::int32_t z = 0; z < 24; ++z) found += copy.grid().obstacle({x, 64, z}) ? '#' : '.';
+    return found;
+  };
+  EXPECT_EQ(solid_in(20), "########################");
+  EXPECT_EQ(solid_in(40), "........###.............");
+  EXPECT_EQ(solid_in(21), "........................");
+  EXPECT_EQ(solid_in(100), "##############..........");
 }
 
 }  // namespace

@@ -131,6 +131,20 @@ TEST(FlightGoals, TheBottomOfANarrowShaftIsSeenFromNowhere) {
   EXPECT_LT(flown.report.blocked_at.z, 2.0);
 }
 
+/// What is above a wall is presumed to be wall until it is seen, or until there is no other way.
+TEST(FlightGoals, TheOnlyWayMayLeadOverAWall) {
+  for (const double top : {2.4, 4.0}) {
+    const Vec3 goal{8.0, 0.0, 1.3};
+    Scene scene;
+    scene.boxes = {{{-3.0, -5.0, 4.0}, {11.0, 5.0, 5.0}}, {{-3.0, -5.0, 0.0}, {-2.0, 5.0, 4.0}},
+                   {{10.0, -5.0, 0.0}, {11.0, 5.0, 4.0}}, {{-2.0, -5.0, 0.0}, {10.0, -4.0, 4.0}},
+                   {{-2.0, 4.0, 0.0}, {10.0, 5.0, 4.0}},  {{4.0, -4.0, 0.0}, {4.4, 4.0, top}}};
+    Flown flown(scene, FlightSettings{});
+    EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+    EXPECT_EQ(flown.fly(90.0), top < 4.0 ? FlightReason::kArrived : FlightReason::kNearest) << story(flown);
+  }
+}
+
 /// Below the floor, above the window, and further away than anything is flown: the vehicle rests with a reason and then
 /// reaches a goal that it can.
 TEST(FlightGoals, GoalsOutOfReachEndWithAReason) {

@@ -29,6 +29,9 @@ const HardWorld kHardWorlds[] = {
     {"P25@5:7008",
      "rested at the goal, and a plan that led 7e-24 m away took over: the watch missed it",
      {"sensor=lidar", "speckle_filter=0", "hits=4"}},
+    {"M:1200234",
+     "sought ways through walls above and below what it had seen of them, and was on its way for 120 s",
+     {"sensor=d435"}},
 };
 
 TEST(HardWorlds, AreCrossed) {

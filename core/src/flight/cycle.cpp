@@ -66,7 +66,9 @@ void Cycle::begin(const FlightFacts& flight, const RestSearch& search, const Loo
   is_last_resort = search.is_looking && !search.surveys;
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
   const double emptied = hemmed_in ? window.clearance() : 0.0;
-  route.begin(flight.map, flight.plans.sample_at(takeover).position, near, hole, emptied);
+  const bool has_walls = attempt == 0 && !hemmed_in && without_walls == 0;
+  if (without_walls > 0) --without_walls;
+  route.begin(flight.map, flight.plans.sample_at(takeover).position, {near, hole, emptied, has_walls});
   expected.expect(flight.tracks, flight.time);
   note_closing(flight, work);
   close_fences(flight, takeover, work);

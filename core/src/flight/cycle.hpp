@@ -64,6 +64,9 @@ struct Lead {
   void shorten(const FlightFacts& flight, std::int64_t takeover) noexcept;
 };
 
+/// Cycles after one that found no way on a copy with walls.
+constexpr int kCyclesWithoutWalls = 15;
+
 struct Cycle {
   Planner* planner;  ///< the caller's
   Lead lead;
@@ -72,6 +75,7 @@ struct Cycle {
   Trajectory plan;  ///< the planner's trajectory
   Job job;
   bool all_free;             ///< no unseen voxel is solid in the route copy
+  int without_walls;         ///< so many cycles take a copy in which nothing is presumed above and below walls
   bool is_last_resort;       ///< the vehicle rests and looks around, because nothing else helped
   bool hemmed_in;            ///< something is within the radius of where the vehicle rests
   bool leads_out;            ///< the plan leads away from what is within the radius
@@ -95,6 +99,11 @@ struct Cycle {
   void leave() noexcept {
     job = Job::kIdle;
     steps_back = false;
+  }
+  /// No way was found on a copy with walls: the next copies, which begin at once, go without.
+  void do_without_walls() noexcept {
+    without_walls = kCyclesWithoutWalls;
+    leave();
   }
   void forget_cut_off() noexcept { cut_off = false; }
   void begin(const FlightFacts& flight, const RestSearch& search, const Lookouts& lookouts, std::int64_t takeover,

@@ -103,6 +103,7 @@ Progress FlightState::end_planner() noexcept {
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(facts.itinerary) || cycle.keeps_remainder(found)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, tick_work);
+  if (cycle.route.presumes_walls() && !is_by_time(found.status)) return cycle.do_without_walls();
   if (is_by_time(found.status)) ++cycle.met_things;
   if (note_fault(found)) return give_up();
   if (cycle.ask_through(facts)) return;

@@ -10,15 +10,10 @@
 namespace tern {
 namespace {
 
-/// Words that a piece copies, or one row if a row is longer.
+/// Words that a piece copies, or one column if that has more.
 constexpr std::int32_t kCopiedWords = 256;
 /// No voxels of a row.
 constexpr IndexRange kNone{0, 0};
-
-/// Rows that one piece copies.
-std::int32_t rows_of_piece(std::int32_t row_words) {
-  return row_words < kCopiedWords ? kCopiedWords / row_words : 1;
-}
 
 /// The voxels within `radius` of `center` along one axis, both in voxels; none for a radius of 0.
 IndexRange voxels_around(double center, double radius, std::int32_t count) {
@@ -26,10 +21,60 @@ IndexRange voxels_around(double center, double radius, std::int32_t count) {
   return {floor_index(center - radius, 0, count), ceil_index(center + radius, 0, count)};
 }
 
-bool same_words(const std::uint64_t* a, const std::uint64_t* b, std::int32_t count) {
-  std::uint64_t difference = 0;
-  for (std::int32_t k = 0; k < count; ++k) difference |= a[k] ^ b[k];
-  return difference == 0;
+/// A column of words, voxels above voxels: what was hit, and what is not known to be free.
+struct Column {
+  Column(const RollingMap& map, std::int32_t y, std::int32_t k) noexcept
+      : hit(map.route().obstacle_row(y, 0) + k),
+        solid(map.safe().obstacle_row(y, 0) + k),
+        stride(static_cast<std::size_t>(map.route().row_words()) * static_cast<std::size_t>(map.route().spec().dims.y)),
+        height(map.route().spec().dims.z) {}
+
+  const std::uint64_t* hit;
+  const std::uint64_t* solid;
+  std::size_t stride;
+  std::int32_t height;
+};
+
+/// A sweep along a column of words, up or down.
+class WallSweep {
+ public:
+  /// The unseen voxels of the next word that follow a wall, with nothing between that was seen.
+  std::uint64_t next(std::uint64_t hit, std::uint64_t unseen) noexcept {
+    const std::uint64_t follows = follows_ & unseen;
+    follows_ = follows | ends_wall(hit);
+    return follows;
+  }
+  /// True for the voxels of the next word with which a wall is high enough.
+  std::uint64_t ends_wall(std::uint64_t hit) noexcept {
+    const std::uint64_t ends = three_ & hit;
+    three_ = two_ & hit;
+    two_ = one_ & hit;
+    one_ = hit;
+    return ends;
+  }
+
+ private:
+  static_assert(kWallVoxels == 4);
+  std::uint64_t one_ = 0, two_ = 0, three_ = 0;  ///< so many voxels up to the last one were hit
+  std::uint64_t follows_ = 0;
+};
+
+bool has_wall(const Column& column) {
+  WallSweep sweep;
+  std::uint64_t ends = 0;
+  const std::uint64_t* hit = column.hit;
+  for (std::int32_t z = 0; z < column.height; ++z, hit += column.stride) ends |= sweep.ends_wall(*hit);
+  return ends != 0;
+}
+
+/// What follows a wall downwards, from the lowest voxels up.
+void go_down_walls(const Column& column, std::uint64_t* below) {
+  WallSweep sweep;
+  std::size_t at = column.stride * static_cast<std::size_t>(column.height);
+  for (std::int32_t z = column.height - 1; z >= 0; --z) {
+    at -= column.stride;
+    below[z] = sweep.next(column.hit[at], column.solid[at] & ~column.hit[at]);
+  }
 }
 
 }  // namespace
@@ -40,7 +85,7 @@ Status RouteCopy::bind(const RollingMap& map, std::uint64_t* words, std::size_t 
   return status;
 }
 
-void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, double hole, double emptied) noexcept {
+void RouteCopy::begin(const RollingMap& map, const Vec3& center, const CopyRule& rule) noexcept {
   const GridSpec& spec = map.route().spec();
   if (!same(spec.origin, grid_.spec().origin)) {  // the window slid
     const GridWords words(grid_);
@@ -50,12 +95,14 @@ void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, do
   }
   const Vec3 local = center - spec.origin;
   for (int a = 0; a < 3; ++a) {
-    near_[a] = voxels_around(axis(local, a) / spec.cell, near / spec.cell, axis(spec.dims, a));
-    hole_[a] = voxels_around(axis(local, a) / spec.cell, hole / spec.cell, axis(spec.dims, a));
+    near_[a] = voxels_around(axis(local, a) / spec.cell, rule.near / spec.cell, axis(spec.dims, a));
+    hole_[a] = voxels_around(axis(local, a) / spec.cell, rule.hole / spec.cell, axis(spec.dims, a));
   }
   center_ = (1.0 / spec.cell) * local;
-  emptied_ = emptied / spec.cell;
-  row_ = piece_ = 0;
+  emptied_ = rule.emptied / spec.cell;
+  has_walls_ = rule.has_walls;
+  presumes_ = false;
+  column_ = piece_ = 0;
 }
 
 /// The voxels of a row that the ball of the radius `emptied` meets.
@@ -67,29 +114,48 @@ IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexc
   return voxels_around(center_.x, square_root(rest), grid_.spec().dims.x);
 }
 
-/// Most rows are far from the vehicle, and equal to what was copied before.
-RouteCopy::CopiedRow RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
-  const Grid& route = map.route();
-  const std::int32_t rows_along_y = grid_.spec().dims.y;
-  const std::int32_t y = row % rows_along_y;
-  const std::int32_t z = row / rows_along_y;
-  const IndexRange near = contains(near_[1], y) && contains(near_[2], z) ? near_[0] : kNone;
-  const IndexRange hole = contains(hole_[1], y) && contains(hole_[2], z) ? hole_[0] : kNone;
-  const IndexRange emptied = emptied_voxels(y, z);
-  const std::uint64_t* const hit = route.obstacle_row(y, z);
-  const std::uint64_t* const before = grid_.obstacle_row(y, z);
-  const bool is_far = near.begin >= near.end && emptied.begin >= emptied.end;
-  if (is_far && same_words(hit, before, grid_.row_words())) return {0, false};
+/// The words that changed.
+std::int32_t RouteCopy::compose_column(const RollingMap& map, std::int32_t y, std::int32_t k, bool is_walled) noexcept {
+  const Column column(map, y, k);
+  if (is_walled) go_down_walls(column, below_wall_);
+  const std::uint64_t near = contains(near_[1], y) ? bits_met(near_[0], k) : 0;
+  const std::uint64_t hole = contains(hole_[1], y) ? bits_met(hole_[0], k) : 0;
+  const std::uint64_t* before = grid_.obstacle_row(y, 0) + k;
+  WallSweep upwards;
   std::int32_t changed = 0;
-  const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
-  for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
-    const std::uint64_t unseen = solid[k] & bits_met(near, k) & ~bits_met(hole, k);
-    const std::uint64_t word = (hit[k] | unseen) & ~bits_met(emptied, k);
-    if (word == before[k]) continue;
+  std::size_t at = 0;
+  for (std::int32_t z = 0; z < column.height; ++z, at += column.stride) {
+    const std::uint64_t hit = column.hit[at];
+    const std::uint64_t unseen = column.solid[at] & ~hit;
+    std::uint64_t solid = is_walled ? below_wall_[z] | upwards.next(hit, unseen) : 0;
+    presumes_ = presumes_ || solid != 0;
+    if (near != 0 && contains(near_[2], z)) solid |= contains(hole_[2], z) ? near & ~hole : near;
+    std::uint64_t word = hit | (solid & unseen);
+    if (emptied_ > 0.0) word &= ~bits_met(emptied_voxels(y, z), k);
+    if (word == before[at]) continue;
     GridWords(grid_).store(y, z, k, word);
     ++changed;
   }
-  return {changed, true};
+  return changed;
+}
+
+/// Most columns are far from the vehicle and have no wall. False for these.
+bool RouteCopy::copy_column(const RollingMap& map, std::int32_t y, std::int32_t k, std::int32_t& changed) noexcept {
+  const Column column(map, y, k);
+  const bool is_walled = has_walls_ && has_wall(column);
+  const bool is_near = contains(near_[1], y) && bits_met(near_[0], k) != 0;
+  if (is_walled || is_near || emptied_ > 0.0) {
+    changed += compose_column(map, y, k, is_walled);
+    return true;
+  }
+  const std::uint64_t* before = grid_.obstacle_row(y, 0) + k;
+  const std::uint64_t* hit = column.hit;
+  for (std::int32_t z = 0; z < column.height; ++z, hit += column.stride, before += column.stride) {
+    if (*hit == *before) continue;
+    GridWords(grid_).store(y, z, k, *hit);
+    ++changed;
+  }
+  return false;
 }
 
 bool RouteCopy::done() const noexcept {
@@ -98,19 +164,16 @@ bool RouteCopy::done() const noexcept {
 
 void RouteCopy::advance(const RollingMap& map, Work& work) noexcept {
   const Voxel& dims = grid_.spec().dims;
-  const std::int32_t rows = dims.y * dims.z;
-  if (row_ == rows) return GridWords(grid_).inflate_piece(piece_++, work);
-  const std::int32_t left = rows - row_;
-  const std::int32_t count = rows_of_piece(grid_.row_words()) < left ? rows_of_piece(grid_.row_words()) : left;
-  std::int32_t changed = 0;
+  const std::int32_t columns = grid_.row_words() * dims.y;
+  if (column_ == columns) return GridWords(grid_).inflate_piece(piece_++, work);
+  std::int32_t words = 0;
   std::int32_t composed = 0;
-  for (std::int32_t n = 0; n < count; ++n) {
-    const CopiedRow row = copy_row(map, row_++);
-    changed += row.changed;
-    composed += row.is_composed ? 1 : 0;
+  std::int32_t changed = 0;
+  for (; column_ < columns && words < kCopiedWords; ++column_, words += dims.z) {
+    if (copy_column(map, column_ / grid_.row_words(), column_ % grid_.row_words(), changed)) composed += dims.z;
   }
-  const Operations words = ops::kWord * grid_.row_words();
-  work.spend((ops::kRow + words) * count + (2 * ops::kRow + 6 * words) * composed + 28 * ops::kWord * changed);
+  const Operations looks = has_walls_ ? 4 * ops::kWord : 2 * ops::kWord;
+  work.spend(ops::kRow + looks * words + 8 * ops::kWord * composed + 28 * ops::kWord * changed);
 }
 
 }  // namespace tern
