@@ -142,9 +142,10 @@ void FlightWatch::take_commit(std::int64_t t, bool proven) {
   check_before_takeover(t);
   check_joints(t, std::min(last, t + longest_lead()));
   check_curve(fresh, t);
-  note_place(t, proven);
+  const std::int64_t changed = unchanged_until(fresh);
+  note_place(t, changed, proven);
   // Whatever alarms it raised: the true world stands still.
-  if (rooms_.readable()) check_clear(t, unchanged_until(fresh), last, proven);
+  if (rooms_.readable()) check_clear(t, changed, last, proven);
   ahead_.assign(fresh.begin(), fresh.end());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   origin_ = {kNone, kNone, kNone};
@@ -178,12 +179,15 @@ void FlightWatch::check_curve(const std::vector<TimedSample>& fresh, std::int64_
   if (check.snap() > kMostSnap) fail(3, "a snap of " + brief(check.snap()) + " m/s^4", t);
 }
 
-/// A vehicle that rests, or will at the takeover, with something within the radius may leave that place, as long as it
-/// comes no nearer to it. Under a threat it must rest already: a brake may end soon, and nothing leaves from there yet.
-void FlightWatch::note_place(std::int64_t t, bool proven) {
-  const std::int64_t latest = proven ? ahead_.front().t + longest_lead() + 2 * spec_.tick : t;
+/// A vehicle that rests at the takeover, or two ticks later, with something within the radius may leave that place, as
+/// long as it comes no nearer to it. What takes over while it still leaves, keeps to the place that it left. Under a
+/// threat it must rest already: a brake may end soon, and nothing leaves from there yet. The takeover is the last tick
+/// before what is committed is `changed`.
+void FlightWatch::note_place(std::int64_t t, std::int64_t changed, bool proven) {
+  const std::int64_t takeover = proven ? std::max(t, changed - spec_.tick) : t;
+  const std::int64_t latest = proven ? takeover + 2 * spec_.tick : t;
   if (ahead_.back().t > latest || !rooms_.readable()) return;
-  rooms_.rest_at(ahead_.back().sample.position);
+  rooms_.rest_at(at(takeover).position);
 }
 
 /// From the beginning of a plan to its takeover, at most: late plans get more ticks, up to eight times as many.
@@ -192,12 +196,12 @@ std::int64_t FlightWatch::longest_lead() const {
 }
 
 /// Until when a commit leaves everything as it was, up to the latest takeover. That part was proven at its own commit,
-/// on the map of that time.
+/// on the map of that time. After the last sample, the vehicle was to rest.
 std::int64_t FlightWatch::unchanged_until(const std::vector<TimedSample>& fresh) const {
   const std::int64_t latest = fresh.front().t + longest_lead();
   std::size_t k = 0;
-  while (k < std::min(fresh.size(), ahead_.size()) && fresh[k].t < latest &&
-         nearly_same(fresh[k].sample, ahead_[k].sample)) {
+  while (k < fresh.size() && fresh[k].t < latest &&
+         nearly_same(fresh[k].sample, ahead_[std::min(k, ahead_.size() - 1)].sample)) {
     ++k;
   }
   return fresh.front().t + static_cast<std::int64_t>(k) * spec_.tick;

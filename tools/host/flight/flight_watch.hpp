@@ -62,7 +62,7 @@ class FlightWatch {
   void check_clear(std::int64_t from, std::int64_t fresh, std::int64_t to, bool proven);
   std::string too_near(const tern::Vec3& p, double room) const;
   void check_window(std::int64_t t);
-  void note_place(std::int64_t t, bool proven);
+  void note_place(std::int64_t t, std::int64_t changed, bool proven);
   std::int64_t longest_lead() const;
   std::int64_t time_for(double way, const tern::Sample& sample) const;
 
