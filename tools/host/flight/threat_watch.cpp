@@ -23,8 +23,10 @@ constexpr std::int64_t kLongestLead = 24;  // and after brakes that came too lat
 constexpr std::int64_t kMostKept = 120000000000;
 constexpr std::int64_t kKeptStep = 1000000;  // nanoseconds along a way that is kept
 constexpr std::int64_t kMicrosecond = 1000;  // nanoseconds
-constexpr double kSpeedError = 1e-3;         // m/s, of what is announced
-constexpr double kBrakeError = 0.1;          // m/s, of contacts, besides two ticks at the limit of acceleration
+/// How much too early a proof may end, since it halves its pieces a number of times.
+constexpr std::int64_t kProofEarly = 100 * kMicrosecond;
+constexpr double kSpeedError = 1e-3;  // m/s, of what is announced
+constexpr double kBrakeError = 0.1;   // m/s, of contacts, besides two ticks at the limit of acceleration
 /// Ticks, and units of work, that a proof of what is commanded may take.
 constexpr std::int64_t kNoticeTicks = 4;
 constexpr std::int64_t kNoticeWork = 20000;
@@ -88,6 +90,11 @@ void ThreatWatch::look(std::int64_t t, const tern::FlightReport& report) {
   last_ = report;
 }
 
+/// True if what is commanded for time `t`, or right after it, is too near to a tube.
+bool ThreatWatch::meets_tube(std::int64_t t) const {
+  return meets_(commands_.at(t).position, t) || meets_(commands_.at(t + kProofEarly).position, t + kProofEarly);
+}
+
 std::int64_t ThreatWatch::notice_ticks() const {
   return kNoticeTicks + kNoticeWork / spec_.work_per_tick;
 }
@@ -101,7 +108,7 @@ void ThreatWatch::count_disagreement(const tern::FlightReport& report, std::int6
   said_ = threat || (said_ && shown_ >= 0);
   const bool is_told = said_ && rests(commands_.at(t)) && report.blocked_by != tern::BlockedBy::kNothing;
   unnoticed_ = shown_ >= 0 && !threat && !is_told ? unnoticed_ + 1 : 0;
-  const bool is_met = threat && meets_(commands_.at(report.contact_time).position, report.contact_time);
+  const bool is_met = threat && meets_tube(report.contact_time);
   unfounded_ = unproven_ < 0 && threat && !is_met && !rooms_.leaves() && !map_.busy() ? unfounded_ + 1 : 0;
   if (unnoticed_ > most) fail("something is in the way, and the flight does not say so", t);
   if (unfounded_ > most) fail("the flight says that something is in the way, and there is not", t);
@@ -118,12 +125,12 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
   if (report.contact_time <= t) return check_past(t, report);
   const double most = std::hypot(spec_.limits.a_horizontal, spec_.limits.a_max.z);
   const double slack = (std::sqrt(speed * speed + 4.0 * most * kLeastGap) - speed) / most;
-  const std::int64_t earliest = unproven_ - static_cast<std::int64_t>(1e9 * slack) - 100 * kMicrosecond;
+  const std::int64_t earliest = unproven_ - static_cast<std::int64_t>(1e9 * slack) - kProofEarly;
   const std::int64_t begun = t + kLongestLead * spec_.tick;
   const std::int64_t latest = unproven_ <= begun ? std::max(begun, first_unproven(begun)) : unproven_;
   const Vec3 place = commands_.at(report.contact_time).position;
   const bool is_early =
-      report.contact_time < earliest && rooms_.from_solid(place) > kLeastGap && !meets_(place, report.contact_time);
+      report.contact_time < earliest && rooms_.from_solid(place) > kLeastGap && !meets_tube(report.contact_time);
   if (is_early || report.contact_time > latest + kMicrosecond) {
     fail("a contact is announced for t = " + fixed(seconds_of(report.contact_time), 4) +
              ", but what is commanded is too near at t = " + fixed(seconds_of(unproven_), 4),
@@ -137,7 +144,7 @@ void ThreatWatch::check_past(std::int64_t t, const tern::FlightReport& report) {
   if (report.contact_time == last_.contact_time) return;
   const Vec3 place = commands_.at(report.contact_time).position;
   const double room = rooms_.from_solid(place);
-  const bool is_met = room <= kLeastGap || meets_(place, report.contact_time);
+  const bool is_met = room <= kLeastGap || meets_tube(report.contact_time);
   if (is_met && report.contact_time >= t - notice_ticks() * spec_.tick) return;
   fail("a contact is announced for t = " + fixed(seconds_of(report.contact_time), 4) + ", which is past, with " +
            brief(room) + " m of room there",

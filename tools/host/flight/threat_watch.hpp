@@ -50,6 +50,7 @@ class ThreatWatch {
   std::int64_t first_unproven(std::int64_t t) const;
   void check_report(std::int64_t t, const tern::FlightReport& report);
   void check_past(std::int64_t t, const tern::FlightReport& report);
+  bool meets_tube(std::int64_t t) const;
   std::int64_t notice_ticks() const;
   void count_disagreement(const tern::FlightReport& report, std::int64_t t);
   double brake_speed(const std::vector<Appearance>& things, double near) const;
