@@ -34,4 +34,14 @@ TEST(FlightsAmongThings, SlowOnesAreFlownAround) {
   }
 }
 
+// Hunters pin the vehicle: that is why it gives up, though what its way needs can be seen from nowhere.
+TEST(FlightsAmongThings, WhatThingsHoldUpGivesUpForThem) {
+  for (const char* const name : {"HU:60", "HU:337"}) {
+    const tern_host::FlightResult result =
+        tern_host::simulate_flight(tern_host::read_flight_world(name, {"time_limit=90"}));
+    EXPECT_EQ(result.status, "stuck") << name << ": " << result.reason;
+    EXPECT_EQ(result.reason.find(tern::flight_reason_text(tern::FlightReason::kHeldUp)), 0u) << result.reason;
+  }
+}
+
 }  // namespace

@@ -175,7 +175,9 @@ void Lookouts::advance(const FlightFacts& flight, Work& work) noexcept {
   const int least = is_last_try ? kInVain : 0;
   if (!accept(flight)) {
     not_before = flight.time + kAfterNothing;
-    if (flight.map.learned() - learned >= kLearned) in_vain = least;
+    const bool was_held_up = flight.itinerary.held_up != held_up;
+    if (was_held_up || flight.map.learned() - learned >= kLearned) in_vain = least;
+    held_up = flight.itinerary.held_up;
     learned = flight.map.learned();
     if (++in_vain >= kInVain && !is_last_try) searches_again(flight);
     return;

@@ -20,8 +20,8 @@ namespace tern {
 constexpr int kMostLookouts = 8;
 constexpr int kMostShown = 32;
 constexpr double kNearer = 0.5;
-/// Searches in a row that showed nothing and learned less than kLearned words of the map, after which what was tried is
-/// forgotten, once, and after as many more of which there is no hope.
+/// Searches in a row that showed nothing and learned less than kLearned words of the map, while nothing that moves held
+/// the vehicle up, after which what was tried is forgotten, once, and after as many more of which there is no hope.
 constexpr int kInVain = 3;
 /// Plans that may follow the last lookout without coming nearer, if they learn less than kLearned words each.
 constexpr int kPlansAfterLast = 100;
@@ -61,7 +61,7 @@ struct Lookouts {
   int shown;           ///< lookouts that showed some of what they should
   double nearest;      ///< the least distance to the next point since the last reset, metres; negative: not known
   bool is_last_try;    ///< the look around is over, or there were kInVain searches in vain
-  int in_vain;         ///< searches in a row that had no answer, and between which nothing was learned
+  int in_vain;         ///< searches in a row that had no answer; in between, nothing was learned or moved in the way
   bool found_nothing;  ///< the last search at this place had no answer
   int wandering_due;   ///< the next lookout at so many plans without coming nearer
 
@@ -81,6 +81,7 @@ struct Lookouts {
   std::uint64_t aligned_frames;
   int failed_cycles;
   std::uint64_t learned;  ///< RollingMap::learned() at that time, or at the last search without an answer
+  std::int64_t held_up;   ///< Itinerary::held_up at that search
 
   /// Forgets all reasons to give up, and the lookout.
   void try_anew() noexcept;
