@@ -93,7 +93,7 @@ void continue_plan(Random& random, Asked& asked) {
   }
 }
 
-/// Balls and boxes, some of which meet the way.
+/// Balls and boxes, some of which meet the way, and walls that stand for a while.
 void add_tracks(Random& random, Asked& asked) {
   for (int k = random.integer(1, 2); k > 0; --k) {
     tern::Track track;
@@ -104,6 +104,14 @@ void add_tracks(Random& random, Asked& asked) {
     track.half = {0.2, 0.2, 0.2};
     track.shape = random.chance(0.5) ? tern::TrackShape::kBall : tern::TrackShape::kBox;
     track.error_speed = 0.05;
+    if (random.chance(0.3)) {
+      track.velocity = {};
+      track.error_speed = 0.0;
+      track.shape = tern::TrackShape::kBox;
+      track.half = {0.2, 1.5, 1.5};
+      track.end = tern::TrackEnd::kGone;
+      track.until = track.measured + 50000000000;
+    }
     asked.tracks.push_back(track);
   }
   asked.world.request.tracks = asked.tracks.data();

@@ -46,6 +46,17 @@ class Scenes : public testing::Test {
     return track;
   }
 
+  /// A box without errors that is there until then, s.
+  static Track standing(const Vec3& place, const Vec3& half, double until) {
+    Track track;
+    track.shape = TrackShape::kBox;
+    track.position = place;
+    track.half = half;
+    track.end = TrackEnd::kGone;
+    track.until = static_cast<std::int64_t>(until * 1e9);
+    return track;
+  }
+
   /// What the proof of the plan against the request's things finds, from a time of it on.
   tern::Finding finding_from(double time) const {
     tern::TrackGrounds grounds;
@@ -148,6 +159,44 @@ TEST_F(Scenes, AWayThatClosesForAWhileIsWaitedFor) {
   const double long_wait = plan({closed});
   EXPECT_GT(long_wait, 33.0);
   EXPECT_LT(long_wait, 37.0);
+}
+
+/// The flood's cells are too coarse for a lane of 1 m beside what is closed; the search is not. Whatever closes it, for
+/// whatever time, the plan is about the one around what always stands there.
+TEST_F(Scenes, ANarrowWayAroundWhatStandsIsTaken) {
+  const double alone = plan({});
+  world_.block({9.0, 8.0, 0.0}, {11.0, 10.0, 3.0});
+  for (const double seconds : {15.0, 60.0, 300.0}) {
+    const Track closed = standing({10.0, 3.0, 1.5}, {1.0, 4.0, 3.0}, seconds);
+    const double around = plan({closed});
+    EXPECT_GT(around, alone) << seconds;
+    EXPECT_LT(around, 8.5) << seconds;
+    EXPECT_EQ(world_.report.waits, 0.0);
+    tern::Halfspace planes[tern::kBoxPlanes];
+    tern::box_planes({{9.0, -1.0, -1.5}, {11.0, 7.0, 4.5}}, planes);
+    const tern::Fence zone{planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut, 0, closed.until};
+    world_.request.fences = &zone;
+    world_.request.fence_count = 1;
+    EXPECT_NEAR(plan({}), around, 0.05) << seconds;
+    world_.request.fence_count = 0;
+  }
+}
+
+/// Each is closed once a plan has met it.
+TEST_F(Scenes, ANarrowWayBetweenTwoThatStandIsTaken) {
+  const double between = plan({standing({10.0, 3.0, 1.5}, {1.0, 4.0, 3.0}, 60.0),  //
+                               standing({10.0, 9.0, 1.5}, {1.0, 1.0, 3.0}, 60.0)});
+  EXPECT_GT(between, 7.0);
+  EXPECT_LT(between, 8.5);
+}
+
+/// No way leads around what is closed, and the start is in motion: the plan stops first, and waits as it did before the
+/// search was tried.
+TEST_F(Scenes, WhatWasClosedIsOpenAgainForOtherAttempts) {
+  world_.request.start.velocity = {1.0, 0.0, 0.0};
+  const double waits = plan({standing({10.0, 5.0, 1.5}, {1.0, 6.0, 3.0}, 30.0)});
+  EXPECT_GT(waits, 33.0);
+  EXPECT_LT(waits, 40.0);
 }
 
 TEST_F(Scenes, ATunnelIsLeftToWhatComesThroughIt) {

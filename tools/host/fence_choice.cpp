@@ -113,15 +113,6 @@ bool FenceChoice::mark_first() {
   return true;
 }
 
-bool FenceChoice::close(std::int32_t chosen) {
-  if (chosen < 0 || static_cast<std::size_t>(chosen) >= added_.size()) return false;
-  const std::size_t i = added_[static_cast<std::size_t>(chosen)];
-  const tern::Fence fence = record(i).fence;
-  if (fence.kind != tern::FenceKind::kKeepOut || !tern::is_timed(fence)) return false;
-  closed_[i] = true;
-  return true;
-}
-
 bool FenceChoice::add_broken(const tern::Trajectory& plan) {
   const auto is_in = [](const std::vector<std::size_t>& list, std::size_t i) {
     return std::find(list.begin(), list.end(), i) != list.end();

@@ -19,9 +19,9 @@ struct GridMap;
 
 /// Begins with the keep-ins. A keep-out is added once a plan breaks it. Where a request takes no more, the keep-out
 /// that was added first is marked in the grid instead, rounded outwards to voxels; those that hold for a while come
-/// last, and are then closed at all times. So are those that leave no clear time for a plan. A plan is proven clear of
-/// all fences, as they were given, by the certifier, one after the other. Each fence is added once and closed once, so
-/// that there are at most twice as many plans as fences.
+/// last, and are then closed at all times. A plan is proven clear of all fences, as they were given, by the certifier,
+/// one after the other. Each fence is added once and marked once, so that there are at most twice as many plans as
+/// fences.
 class FenceChoice {
  public:
   /// Throws ScenarioError where the boundary does not fit a grid.
@@ -39,9 +39,6 @@ class FenceChoice {
 
   /// Marks the keep-out that was added first in the grid: the planner has no room for it. False if there is none left.
   bool mark_first();
-
-  /// Closes one of chosen() at all times: a keep-out for a while among which no plan was found. False if it is none.
-  bool close(std::int32_t chosen);
 
   /// The index among all fences of one of chosen(); kNoFence stays what it is.
   std::int32_t index_of(std::int32_t chosen) const;

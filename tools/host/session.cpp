@@ -72,14 +72,6 @@ bool leaves_chain(const PlanResult& result) {
   return fence.kind == tern::FenceKind::kKeepIn && tern::is_timed(fence);
 }
 
-/// True if a keep-out for a while is why there is no plan: there may be one that leads around it all.
-bool meets_closed(const PlanResult& result) {
-  const std::int32_t index = result.report.fence;
-  if (result.report.status != tern::Status::kNoClearTime || index == tern::kNoFence) return false;
-  const tern::Fence& fence = result.scenario.fences[static_cast<std::size_t>(index)].fence;
-  return fence.kind == tern::FenceKind::kKeepOut && tern::is_timed(fence);
-}
-
 tern::Status refuse(PlanResult& result, tern::Status status) {
   result.report.status = status;
   result.report.stage = tern::Stage::kRequest;
@@ -136,12 +128,10 @@ PlanResult Session::plan_among(const Scenario& scenario, const tern::Limits& lim
                                double previous_time) {
   if (exceeds_capacity(scenario.fences)) return plan_chosen(scenario, limits, previous, previous_time);
   PlanResult once = plan_once(scenario, limits, previous, previous_time);
-  const bool closed = meets_closed(once);
-  if (!closed && once.report.status != tern::Status::kFencePlanesFull) return once;
+  if (once.report.status != tern::Status::kFencePlanesFull) return once;
   PlanResult result = plan_chosen(scenario, limits, previous, previous_time);
   result.among_all = once.report.status;
-  // Where that does not help, the planner is left as after the plan that is answered.
-  return result.ok() || !closed ? std::move(result) : plan_once(scenario, limits, previous, previous_time);
+  return result;
 }
 
 PlanResult Session::plan_chosen(const Scenario& scenario, const tern::Limits& limits, const tern::Trajectory* previous,
@@ -150,8 +140,7 @@ PlanResult Session::plan_chosen(const Scenario& scenario, const tern::Limits& li
   const auto has_changed = [&choice](const PlanResult& result) {
     if (result.ok()) return choice.add_broken(result.trajectory);
     // The planner also counts the corners of fences, which are not known before.
-    if (result.report.status == tern::Status::kFencePlanesFull) return choice.mark_first();
-    return result.report.status == tern::Status::kNoClearTime && choice.close(result.report.fence);
+    return result.report.status == tern::Status::kFencePlanesFull && choice.mark_first();
   };
   PlanResult result = plan_once(choice.chosen(), limits, previous, previous_time);
   while (has_changed(result)) result = plan_once(choice.chosen(), limits, previous, previous_time);
@@ -190,10 +179,7 @@ PlanResult Session::plan_once(const Scenario& scenario, const tern::Limits& limi
 
 std::string Session::record(const PlanResult& result) const {
   if (result.among_all != tern::Status::kOk) {
-    const bool closed = result.among_all == tern::Status::kNoClearTime;
-    throw std::runtime_error(std::string("this query cannot be recorded: ") +
-                             (closed ? "its plan goes around a fence for a while as if it always held"
-                                     : tern::status_meaning(result.among_all)));
+    throw std::runtime_error(std::string("this query cannot be recorded: ") + tern::status_meaning(result.among_all));
   }
   const std::vector<tern::Fence> fences = fences_of(result.scenario.fences);
   const std::vector<tern::Track> tracks = tracks_of(result.scenario.tracks);

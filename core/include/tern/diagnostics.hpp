@@ -76,8 +76,8 @@ struct Diagnostics {
   ///   motion, it begins that motion from rest. Or one curve leads straight from start to goal
   /// - 3, previous plan: the plan goes on along Request::previous
   int32_t detours;
-  /// What a plan around things that move began from: 1 the plan as if nothing moved, 2 and more a flood in time. 0 for
-  /// all other plans.
+  /// What a plan around things that move began from: 1 the plan as if nothing moved, 2 and more a flood in time, the
+  /// last number a way around what stands, as if it always did. 0 for all other plans.
   int32_t seed;
   /// The cost of the path over the grid, divided by a proven lower bound of the least cost. So the path costs at most
   /// this many times the least possible, up to rounding; most paths cost much less. 1 for the optimal search, and if no

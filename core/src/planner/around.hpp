@@ -56,13 +56,17 @@ struct Around {
   double soonest = 0.0;          ///< s: the first arrival after which the goal stays clear, about
   double latest = 0.0;           ///< s: and the last one, if that is not after the first plan's seed arrives
   double found = 0.0;            ///< s that the best plan so far takes; 0: there is none
+  std::int32_t found_seed = 0;   ///< what it began from, as Diagnostics::seed
+  bool is_closed = false;        ///< a plan around what was closed is being made
+  std::int32_t closed = 0;       ///< keep-outs for a while and things that were closed
   bool is_waiting = false;       ///< the stages `tracks` and `check` look whether the plan as if nothing moved may wait
 };
 
 /// As Diagnostics::seed, for the plan in memory.
 constexpr std::int32_t seed_of(const Around& around) noexcept {
   if (!around.is_active) return 0;
-  return around.is_last ? 1 : 1 + around.seed;
+  if (around.is_last) return around.found_seed;
+  return around.is_closed ? 2 + kTimedSeeds : 1 + around.seed;
 }
 
 /// True if there is a corridor and a plan of this quality to begin from.
@@ -95,6 +99,10 @@ constexpr double kLongestFlood = 1.6;
 /// If the first flood finds no way, it and all others look further by this factor: it takes long until there is one,
 /// and a flood at full speed finds the shortest wait.
 constexpr double kFurther = 2.0;
+
+/// How often what a plan met, a keep-out for a while or a thing that stands, is closed at all times to lead a plan
+/// around it. The last time, all others are closed as well.
+constexpr std::int32_t kMostClosed = 4;
 
 /// A plan that waits may arrive later than one that flies about instead by this part of how much longer than the one as
 /// if nothing moved that takes: a run-up to a closed passage gains little.

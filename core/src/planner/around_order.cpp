@@ -7,6 +7,7 @@
 //
 //   tracks (when is the goal clear?) -> times -> trajectory -> check -> the best plan, or the next seed:
 //   tracks (flood) -> corridor -> times -> ...
+//   around keep-outs for a while, closed (closed_order.cpp)
 //   the best plan -> tracks (wait) -> that plan, or check -> the one that waits
 #include "base/math.hpp"
 #include "planner/layout.hpp"
@@ -34,6 +35,7 @@ void Pipeline::begin_around() noexcept {
 void Pipeline::go_on_around(bool done) noexcept {
   Layout& memory = *memory_;
   Around& around = attempts_.around;
+  if (around.is_closed) return go_on_closed(done);
   if (around.is_looking) {
     around.is_looking = false;
     return around.soonest > kTooEarly * around.alone ? next_seed() : enter(Stage::kTimes);
@@ -75,6 +77,7 @@ void Pipeline::judge_around(bool is_clear) noexcept {
   Layout& memory = *memory_;
   Around& around = attempts_.around;
   if (around.is_waiting) return end_wait(is_clear);
+  if (around.is_closed) return judge_closed(is_clear);
   if (!is_clear) return next_seed();
   const double lasts = duration(memory.trajectory);
   const bool is_first = around.seed == 0 && !around.is_last;
@@ -84,7 +87,11 @@ void Pipeline::judge_around(bool is_clear) noexcept {
     return next_seed();
   }
   if (!is_first && !around.is_last && around.found > 0.0 && lasts >= around.found) return next_seed();
-  lasts > kGoodEnough* around.alone ? begin_wait() : take_plan();
+  if (lasts <= kGoodEnough * around.alone) return take_plan();
+  note_rest();
+  keep_found();
+  if (!around.is_last && begin_closed(conflict_.fence, conflict_.track)) return;
+  begin_wait();
 }
 
 /// The trajectory in memory is the best so far.
@@ -93,6 +100,7 @@ void Pipeline::keep_found() noexcept {
   memory.around.found = memory.trajectory;
   memory.around.marks = memory.vias.marks;
   for (std::int32_t v = 0; v < problem_.via_count; ++v) memory.around.joint[v] = memory.vias.joint[v];
+  attempts_.around.found_seed = seed_of(attempts_.around);
   attempts_.around.found = duration(memory.trajectory);
 }
 
@@ -113,8 +121,6 @@ void Pipeline::take_alone() noexcept {
 
 /// Tries whether the plan as if nothing moved may wait, and arrive about when the proven plan in memory does.
 void Pipeline::begin_wait() noexcept {
-  note_rest();
-  keep_found();
   take_alone();
   enter(Stage::kTracks);
   attempts_.around.is_waiting = true;
@@ -156,6 +162,7 @@ void Pipeline::next_seed() noexcept {
     around.is_flooding = true;
     return enter(Stage::kTracks);
   }
+  if (!around.is_last && begin_closed(conflict_.fence, conflict_.track)) return;
   bring_back(memory.around.alone, memory.path, memory.vias.marks, memory.corridor);
   if (around.found <= 0.0 || around.is_last) {
     end_around();

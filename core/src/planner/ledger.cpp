@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/ledger.hpp"
 
+#include "planner/around.hpp"
 #include "planner/previous.hpp"
 #include "planner/stop_first.hpp"
 #include "planner/timed_seed.hpp"
@@ -24,7 +25,7 @@ Times times_of(const Problem& problem) {
   times.searches = times.goals * (problem.given_at_rest ? 1 : 1 + kStopFirstTries);
   times.corridors = times.goals * (problem.given_at_rest ? 1 : 2 + kStopFirstTries);
   times.checks = times.corridors + times.goals * (problem.asked.previous != nullptr ? 3 : 1);
-  times.seeds = problem.thing_count > 0 ? 2 + kTimedSeeds : 1;
+  times.seeds = problem.thing_count > 0 ? 2 + kTimedSeeds + kMostClosed : 1;
   if (problem.track_count > 0 || problem.has_windows)
     times.checks *= 1 + times.seeds;  // a plan that waits is checked again
   return times;
@@ -33,12 +34,13 @@ Times times_of(const Problem& problem) {
 /// How often a stage may run.
 std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t remade) {
   const Times times = times_of(problem);
+  const std::uint32_t closed = problem.thing_count > 0 ? kMostClosed * times.corridors : 0;
   switch (stage) {
     case Stage::kSearch:
     case Stage::kShortcut:
-      return std::uint64_t{times.searches + remade} * static_cast<std::uint64_t>(problem.via_count + 1);
+      return std::uint64_t{times.searches + remade + closed} * static_cast<std::uint64_t>(problem.via_count + 1);
     case Stage::kCorridor:
-      return times.corridors + remade + (problem.thing_count > 0 ? kTimedSeeds * times.corridors : 0);
+      return times.corridors + remade + closed + (problem.thing_count > 0 ? kTimedSeeds * times.corridors : 0);
     case Stage::kTimes:
     case Stage::kTrajectory:
       return std::uint64_t{times.seeds} * (times.corridors + times.goals);
@@ -46,6 +48,7 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t remade)
     case Stage::kTracks:
       return times.checks;
     case Stage::kWorld:
+      return 1 + closed;
     case Stage::kReach:
       return 1;
     case Stage::kRequest:

@@ -5,6 +5,7 @@
 // where it enters them again.
 #include "planner/layout.hpp"
 #include "planner/pipeline.hpp"
+#include "world/closed.hpp"
 
 namespace tern {
 namespace {
@@ -64,6 +65,7 @@ void Pipeline::go_on(bool done) noexcept {
   if (attempts_.around.is_active && stage_ != Stage::kCheck) return go_on_around(done);
   switch (stage_) {
     case Stage::kWorld:
+      if (reopens_) return go_on_from_tracks(false);
       if (problem_.goal_fault == Status::kOk) return begin_attempts();
       // Only the nearest point that can be reached is left to look for.
       failure_.status = problem_.goal_fault;
@@ -199,6 +201,8 @@ void Pipeline::meet_track() noexcept {
 
 void Pipeline::go_on_from_tracks(bool done) noexcept {
   if (done) return enter(Stage::kCheck);
+  reopens_ = open_world(memory_->world);
+  if (reopens_) return enter(Stage::kWorld);
   const Status lacking = attempts_.around.lacking;
   fail(Stage::kTracks, lacking != Status::kOk ? lacking : conflict_.status);
 }

@@ -24,13 +24,8 @@ bool pace_fits(const Request& request, const Trajectory& plan, double time) {
   return request.previous == nullptr && is_trajectory(plan) && finite(time) && time >= 0.0;
 }
 
-/// What the request adds to the world, for the certifier; null for nothing.
-const AskedWorld* asked_world(const Layout& memory) {
-  return memory.world.has_solids ? &memory.asked : nullptr;
-}
-
 RoomProof room_of(const Problem& problem, Layout& memory) {
-  return {*problem.grid, asked_world(memory), memory.stage.check, memory.trajectory, world_of(memory.world)};
+  return {*problem.grid, problem.asked_world, memory.stage.check, memory.trajectory, world_of(memory.world)};
 }
 
 /// The plan that sets the pace, if the chain begins on it. It is no rival of curves that lack their dwells.
@@ -45,7 +40,7 @@ Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory)
 /// one.
 CheckQuery check_query(const Problem& problem, const Layout& memory, double entered, bool goes_on) {
   const Request& asked = problem.asked;
-  CheckQuery query{asked.start, asked.goal, asked.limits, entered, asked_world(memory)};
+  CheckQuery query{asked.start, asked.goal, asked.limits, entered, problem.asked_world};
   if (goes_on) query.start.jerk = memory.previous.jerk;
   query.vias = problem.vias;
   query.joints = memory.vias.joint;
@@ -175,12 +170,12 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kShortcut:
       return leg_shortcut_begin(problem_, legs_, way_of(m), m.stage.shortcut);
     case Stage::kCorridor:
-      return corridor_begin(m.stage.corridor, m.path, &m.vias.marks, attempts_.around.is_active);
+      return corridor_begin(m.stage.corridor, m.path, &m.vias.marks, is_around());
     case Stage::kTimes:
       return chain_begin(problem_, m.ends, make_via_joints(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
                          m.stage.trajectory);
     case Stage::kTrajectory:
-      if (attempts_.around.is_active) {
+      if (is_around()) {
         const double slack = attempts_.around.seed == 0 ? first_slack(attempts_.around) : 1.0;
         return around_begin(problem_, m.ends, m.stops[0], m.around.seed, slack, m.stage.trajectory);
       }

@@ -111,8 +111,19 @@ class Pipeline {
   void end_wait(bool may_wait) noexcept;
   void next_seed() noexcept;
   void end_around() noexcept;
+
+  // closed_order.cpp: what follows a stage while a plan is led around closed fences.
+  bool begin_closed(std::int32_t fence, std::int32_t track) noexcept;
+  bool close(std::int32_t fence, std::int32_t track) noexcept;
+  void close_all() noexcept;
+  void go_on_closed(bool done) noexcept;
+  void judge_closed(bool is_clear) noexcept;
+  void end_closed() noexcept;
+
   Operations kept_for_seeds() const noexcept;
 
+  /// What is made leads around things, along a way from the flood in time or from a seed.
+  bool is_around() const noexcept { return attempts_.around.is_active && !attempts_.around.is_closed; }
   /// The trajectory in memory is the previous plan.
   bool follows() const noexcept { return quality_ == Quality::kPrevious; }
   /// When the plan enters the trajectory in memory, s since its beginning.
@@ -140,6 +151,7 @@ class Pipeline {
   Results results_{};
   std::int32_t flood_words_ = 0;  // of the largest flood in time
   bool segments_full_ = false;    // an attempt had too many segments
+  bool reopens_ = false;          // the stage `world` takes the closed fences out again
   Operations begun_ = 0;          // what beginnings took, and no slice has paid yet
   Ledger ledger_{};
 };

@@ -42,7 +42,8 @@ Operations all_rows(const GridSpec& spec) {
 
 StageBound world_bound(const GridSpec& spec) {
   const Operations plane = 2 * ops::kPiece + kStencilOperations + 12 * ops::kDot * kMaxSolidNormals +
-                           (kMaxSolidNormals + 2) * ops::kRow * spec.dims.y + solid_plane_operations(spec);
+                           (kMaxSolidNormals + 2) * ops::kRow * spec.dims.y + solid_plane_operations(spec) +
+                           ops::kElement * row_words(spec) * spec.dims.y;
   return {std::uint64_t{kMaxSolids + 1} * static_cast<std::uint64_t>(spec.dims.z), plane};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "world/fences.hpp"
 
+#include "base/capacity.hpp"
 #include "base/double_double.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
@@ -64,11 +65,7 @@ FenceFault load_keep_outs(const Grid& grid, const Fence* list, std::int32_t coun
 /// Loads fences that find_fence_fault() has accepted. Not inlined: the stack of the two would add up.
 __attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence* list, std::int32_t count,
                                                    Solids& solids) {
-  solids.wall_count = 0;
-  solids.solid_count = 0;
-  solids.timed_count = 0;
-  solids.face_count = 0;
-  solids.corner_count = 0;
+  clear_solids(solids);
   for (std::int32_t i = 0; i < count; ++i) {
     if (list[i].kind == FenceKind::kKeepIn && !is_timed(list[i])) load_keep_in(grid, list[i], i, solids);
   }
@@ -79,6 +76,29 @@ __attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence
 }  // namespace
 
 static_assert(kNoSolid == kNoFence, "a world answers with indices of fences");
+
+void clear_solids(Solids& solids) noexcept {
+  solids.wall_count = 0;
+  solids.solid_count = 0;
+  solids.timed_count = 0;
+  solids.face_count = 0;
+  solids.corner_count = 0;
+}
+
+bool add_timed_box(const Grid& grid, const Box& box, Solids& solids) noexcept {
+  const std::int32_t timed = solids.timed_count;
+  const std::int32_t corners = solids.corner_count;
+  const bool has_room = solids.solid_count + timed < kMaxSolids && solids.face_count + kBoxPlanes <= kMaxSolidFaces;
+  if (is_full(!has_room)) return false;
+  Halfspace planes[kBoxPlanes];
+  box_planes(box, planes);
+  const Vicinity around = vicinity_of(grid, solids, reach_of(grid.spec()));
+  solids.touching = contact_tolerance(grid.spec()) + corner_tolerance(around);
+  const Fence fence{planes, kBoxPlanes, FenceKind::kKeepOut, 0, 1};
+  const bool fits = load_keep_out(grid, around, fence, kNoSolid, solids) == Status::kOk;
+  if (!fits) solids.corner_count = corners;
+  return fits && solids.timed_count > timed;
+}
 
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Solids& solids) noexcept {
   const FenceFault fault = find_fence_fault(list, count, grid.spec());

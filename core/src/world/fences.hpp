@@ -20,6 +20,12 @@ namespace tern {
 /// of a keep-out do not fit. `solids` is undefined unless kOk.
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Solids& solids) noexcept;
 
+void clear_solids(Solids& solids) noexcept;
+
+/// Adds a box, world frame, behind the solids of fences for a while; its index is kNoSolid. False if it is not near the
+/// grid, or does not fit.
+bool add_timed_box(const Grid& grid, const Box& box, Solids& solids) noexcept;
+
 /// Adds fences to a world, which reads them only now. The answers are those of load_fences; the world is undefined
 /// unless kOk.
 FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept;

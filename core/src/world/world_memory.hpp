@@ -18,8 +18,10 @@ namespace tern {
 struct WorldMemory {
   const Grid* grid;  ///< the caller's
   bool has_solids;
-  std::int32_t steps;  ///< steps of blocking done: one for all walls, then one a solid
-  std::int32_t plane;  ///< the next plane of voxels of the current step
+  std::int32_t steps;   ///< steps of blocking done: one for all walls, then one a solid
+  std::int32_t plane;   ///< the next plane of voxels of the current step
+  std::int32_t closed;  ///< the last so many solids are closed, until world_open()
+  bool is_anew;         ///< the first step begins with the grid's blocked layer
   Solids solids;
   Grid view;  ///< the caller's grid with `layer` as its blocked layer
   SolidLayer layer;
