@@ -98,6 +98,9 @@ TEST(TrackRecord, SaysWhatIsWrong) {
   expect_error("track a ball 1 at 1 2 3 until 6 error 1 1 1\n", "'gone', 'stays' or 'reach'; found 'error'");
   expect_error("track a ball 1 at 1 2 3 speed 6\n", "'speed' of a track, which takes at, velocity, error");
   expect_error("track a ball 1 at 1e13 2 3\n", "track");
+  expect_error("track a ball 1 at 1 2 3 at 1 2 4\n", "'at' stands twice in track 'a'");
+  expect_error("track a ball 1 at 1 2 3 error 0 0 0 from 1 error 1 0 0\n", "'error' stands twice");
+  expect_error("track a ball 1 at 1 2 3 until 5 reach\n", "has no 'reach v'");
   expect_error("track_piece a 1 2 3\n", "24 numbers");
   expect_error(piece("a", 1.0, 2.0), "no 'track'");
   expect_error("keepin 0 0 0 9 9 9 during 1\n", "2 times, or 3 with an error");

@@ -33,7 +33,7 @@ double stays_from(const Track& track) {
 
 /// True if the tube of a thing grows without end, faster than the thing moves.
 bool grows_for_good(const Track& track) {
-  if (track.end == TrackEnd::kReach) return track.reach > 0.0;
+  if (track.end == TrackEnd::kReach) return true;
   if (track.end != TrackEnd::kGoesOn) return false;
   const bool moves = track.piece_count == 0;  // pieces end
   const double speed = moves ? std::hypot(track.velocity.x, track.velocity.y, track.velocity.z) : 0.0;

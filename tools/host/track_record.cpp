@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/track_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -126,6 +127,11 @@ Track with_pieces(const TrackRecord& record) {
 void check_track(const TrackRecord& record) {
   const bool is_late = record.track.end != TrackEnd::kGoesOn && record.track.until < record.track.measured;
   if (is_late) throw RecordError(record.place, "track " + quote(record.id) + " ends before it was measured");
+  if (record.track.end == TrackEnd::kReach && !(record.track.reach > 0.0)) {
+    throw RecordError(record.place, "track " + quote(record.id) +
+                                        " ends with 'reach' and has no 'reach v': its error " +
+                                        "would not grow. Say how fast it may be, or end it with 'stays'");
+  }
   const Track track = with_pieces(record);
   const tern::Status status = tern::find_track_fault(&track, 1).status;
   if (status == tern::Status::kOk) return;
@@ -159,8 +165,13 @@ TrackRecord read_track(const Words& words, const Place& place) {
   WordQueue queue(words, place);
   record.id = queue.word("its name");
   read_shape(queue, record.track);
+  Words before;
   while (!queue.empty()) {
     const std::string word = queue.word("a word");
+    if (std::find(before.begin(), before.end(), word) != before.end()) {
+      throw RecordError(place, quote(word) + " stands twice in track " + quote(record.id));
+    }
+    before.push_back(word);
     read_word(word, queue, place, record);
   }
   return record;
