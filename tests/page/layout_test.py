@@ -199,8 +199,11 @@ def check_vehicle(tab, page):
 def check_colours(tab, page):
     """The key's colours are drawn; a dropped plan stands out."""
     show(tab, page, width=800, height=600)
-    # A dropped plan is drawn for a moment, the braking manoeuvre is longest at full speed.
+    # Dropped plans are drawn for a moment, and so are the plans that brake for longest.
     times = tab.run("[...page.runs[0].film.dropped.map((drop) => drop.t + 0.05), "
+                    "...page.runs[0].film.commits.map(({t, branch, step, points}) => "
+                    "({t, brakes: step * points.length / 3 - (branch - t)})).sort((a, b) => b.brakes - a.brakes)"
+                    ".slice(0, 12).map(({t}) => t + 0.04), "
                     "...Array.from({length: 47}, (_, i) => page.player.end * (i + 1) / 48)]")
     for theme in ("light", "dark"):
         tab.run(f"page.setTheme('{theme}')")
